@@ -1,6 +1,7 @@
 #include "protocol/json/document.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <charconv>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
@@ -101,6 +102,18 @@ std::string unescaped(std::string_view part) {
 
 }  // namespace
 
+std::size_t text_end(std::string_view text, std::size_t at) {
+  while (at < text.size() && text[at] != '"') at += text[at] == '\\' ? 2 : 1;
+  return std::min(at, text.size());
+}
+
+TextPlace place_of(std::string_view text, std::size_t offset) {
+  const std::string_view before = text.substr(0, offset);
+  const std::size_t line_start = before.rfind('\n') + 1;  // npos + 1 is 0
+  return {1 + static_cast<int>(std::count(before.begin(), before.end(), '\n')),
+          1 + static_cast<int>(offset - line_start)};
+}
+
 std::string child_pointer(const std::string& parent, std::string_view member) {
   std::string pointer = parent + "/";
   for (const char c : member) {
@@ -121,10 +134,7 @@ std::string child_pointer(const std::string& parent, std::size_t element) {
 // --- The document.
 
 JsonDocument::JsonDocument(std::string_view text) : text_(text) {
-  if (text.size() > kMaxLength) {
-    fault_ = Fault::kTooLong;
-    return;
-  }
+  assert(text.size() <= kLength);
   build_index();
   if (fault_ == Fault::kNone) mark_duplicates();
 }

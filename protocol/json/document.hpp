@@ -17,6 +17,16 @@ namespace xr3 {
 /// JSON for output; members keep their order. Include nlohmann/json.hpp to use it.
 using Json = nlohmann::ordered_json;
 
+/// Offset of the quote that ends a text whose contents begin at `at`; text.size() if there is none.
+std::size_t text_end(std::string_view text, std::size_t at);
+
+/// Line and column, from 1, of an offset in a text.
+struct TextPlace {
+  int line;
+  int column;
+};
+TextPlace place_of(std::string_view text, std::size_t offset);
+
 /// `parent` followed by a member name, escaped according to RFC 6901, or by an index.
 std::string child_pointer(const std::string& parent, std::string_view member);
 std::string child_pointer(const std::string& parent, std::size_t element);
@@ -27,11 +37,11 @@ class JsonDocument {
  public:
   /// Maximum nesting of lists and objects, in files and in messages.
   static constexpr std::size_t kMaxDepth = 32;
-  static constexpr std::size_t kMaxLength = std::size_t{1} << 28U;
 
-  enum class Fault : std::uint8_t { kNone, kSyntax, kTooDeep, kTooLong };
+  enum class Fault : std::uint8_t { kNone, kSyntax, kTooDeep };
 
   /// Indexes a text, which must outlive the document. After a fault, root() is empty.
+  /// Precondition: the text is shorter than 512 MiB.
   explicit JsonDocument(std::string_view text);
   JsonDocument(const JsonDocument&) = delete;
   JsonDocument& operator=(const JsonDocument&) = delete;
@@ -42,7 +52,7 @@ class JsonDocument {
   struct Complaint {
     std::size_t position = 0;    ///< bytes read, including the offending one
     std::size_t token_size = 0;  ///< of the last token, possibly including preceding bytes
-    std::string message;         ///< of the parser; a long one without its middle
+    std::string message;         ///< of the parser, without the token that it quotes
     std::string pointer;         ///< kTooDeep: of the enclosing value
   };
   const Complaint& complaint() const { return complaint_; }

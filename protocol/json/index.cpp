@@ -2,17 +2,16 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "protocol/json/document.hpp"
-#include "protocol/json/long_token.hpp"
 
 namespace xr3 {
 namespace {
 
 constexpr std::string_view kBetween = " \t\r\n,:";
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-constexpr std::size_t kMaxOfMessage = 256;
 
 /// The number of values and names of a JSON text; for other text, at most its size plus 1.
 std::size_t count_tokens(std::string_view text) {
@@ -29,11 +28,23 @@ std::size_t count_tokens(std::string_view text) {
   return count;
 }
 
-/// The parser's message. A long one loses its middle, which quotes the token.
-std::string shortened(std::string_view message) {
-  if (message.size() <= 2 * kMaxOfMessage) return std::string(message);
-  return std::string(message.substr(0, kMaxOfMessage))
-      .append(message.substr(message.size() - kMaxOfMessage));
+/// The parser's message without the token that it quotes.
+std::string without_token(std::string_view message) {
+  constexpr std::size_t kMaxExpected = 64;
+  const std::size_t quote = message.find("; last read: '");
+  if (quote == std::string_view::npos) return std::string(message);
+  std::string rest(message.substr(0, quote));
+  const std::size_t expected = message.rfind("; expected ");
+  if (expected != std::string_view::npos && message.size() - expected < kMaxExpected)
+    rest += message.substr(expected);
+  return rest;
+}
+
+/// Whether text is UTF-16: it begins with a byte order mark, or with a character whose other byte
+/// is NUL, as all that may begin JSON.
+bool is_utf16(std::string_view text) {
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) return true;
+  return text.size() > 1 && (text[0] == '\0') != (text[1] == '\0');
 }
 
 }  // namespace
@@ -46,19 +57,13 @@ class JsonIndexer : public nlohmann::json_sax<Json> {
   /// Fills the document's index, or sets its fault.
   void run() {
     const std::string_view text = document_.text_;
+    if (is_utf16(text)) return complain(1, "UTF-16");
+    const std::size_t nul = text.find('\0');  // the parser would treat it as the end
+    if (nul != std::string_view::npos) return complain(nul + 1, "NUL byte");
     document_.tokens_.reserve(count_tokens(text));
     open_.reserve(JsonDocument::kMaxDepth);
     if (text.starts_with(kByteOrderMark)) at_ = kByteOrderMark.size();
-    const auto wrong = find_wrong_long_token(text);
-    if (!wrong) {
-      Json::sax_parse(text, this);
-      return;
-    }
-    Json::sax_parse(text.substr(0, wrong->begin), this);
-    const bool is_deep = document_.fault_ == JsonDocument::Fault::kTooDeep;
-    const bool is_wrong = document_.fault_ == JsonDocument::Fault::kSyntax &&
-                          document_.complaint_.position <= wrong->begin;
-    if (!is_deep && !is_wrong) complain_of(*wrong);
+    Json::sax_parse(text, this);
   }
 
   bool null() override { return word(); }
@@ -75,18 +80,15 @@ class JsonIndexer : public nlohmann::json_sax<Json> {
   bool key(string_t&) override { return text(JsonDocument::kIsName); }
   bool parse_error(std::size_t position, const std::string& last_token,
                    const nlohmann::detail::exception& error) override {
-    document_.fault_ = JsonDocument::Fault::kSyntax;
-    document_.complaint_ = {position, last_token.size(), shortened(error.what()), {}};
+    complain(position, without_token(error.what()));
+    document_.complaint_.token_size = last_token.size();
     return false;
   }
 
  private:
-  /// Reports the parser's error for a short sample instead of the long token.
-  void complain_of(const LongToken& wrong) {
-    const JsonDocument sample(wrong.sample);
+  void complain(std::size_t position, std::string message) {
     document_.fault_ = JsonDocument::Fault::kSyntax;
-    document_.complaint_ = sample.complaint();
-    document_.complaint_.position += wrong.offset;
+    document_.complaint_ = {position, 0, std::move(message), {}};
   }
 
   void find_next() {

@@ -13,28 +13,6 @@ bool is_comment(std::string_view line) {
   return first != std::string_view::npos && line[first] == '*';
 }
 
-int line_at(std::string_view text, std::size_t offset) {
-  return 1 + static_cast<int>(std::count(text.begin(),
-                                         text.begin() + static_cast<std::ptrdiff_t>(offset), '\n'));
-}
-
-Finding fault_finding(const JsonDocument& document, const std::string& file) {
-  const JsonDocument::Complaint& complaint = document.complaint();
-  Finding finding{Severity::kError, file, 1, 0, complaint.pointer, {}, {}};
-  switch (document.fault()) {
-    case JsonDocument::Fault::kTooDeep:
-      finding.line = line_at(document.text(), complaint.position - 1);
-      finding.found = "lists and objects deeper than " + std::to_string(JsonDocument::kMaxDepth);
-      finding.allowed = "fewer";
-      return finding;
-    case JsonDocument::Fault::kTooLong:
-      finding.found = std::to_string(document.text().size()) + " bytes";
-      finding.allowed = "up to " + std::to_string(JsonDocument::kMaxLength) + " bytes";
-      return finding;
-    default: return syntax_finding(document.text(), file, complaint);
-  }
-}
-
 }  // namespace
 
 std::string without_comment_lines(std::string_view text) {
@@ -60,6 +38,8 @@ JsonSource::JsonSource(std::string_view text, std::string file)
     throw DataError({fault_finding(document_, file_)});
 }
 
-int JsonSource::line_of(JsonValue value) const { return line_at(document_.text(), value.offset()); }
+int JsonSource::line_of(JsonValue value) const {
+  return place_of(document_.text(), value.offset()).line;
+}
 
 }  // namespace xr3

@@ -47,14 +47,16 @@ std::string allowed_here(const std::string& message) {
   return "a value: a number, \"text\", true, false, null, [ or {";
 }
 
-/// A message of the parser about a malformed token, and what stands for it.
+/// A message about malformed text, and what stands for it.
 struct Phrase {
   std::string_view sign;
   std::string_view found;
   std::string_view allowed;
 };
 
-constexpr std::array<Phrase, 8> kPhrases = {{
+constexpr std::array<Phrase, 10> kPhrases = {{
+    {"UTF-16", "UTF-16", "UTF-8"},
+    {"NUL byte", "a NUL byte", "JSON in UTF-8"},
     {"number overflow", "a number that is too large", "numbers up to 1e308"},
     {"missing closing quote", "text without its closing quote", "text in double quotes"},
     {"control character", "a line end or control character inside text", "text on one line"},
@@ -103,16 +105,23 @@ std::size_t offset_of(std::string_view text, const JsonDocument::Complaint& erro
 
 }  // namespace
 
-Finding syntax_finding(std::string_view text, const std::string& file,
-                       const JsonDocument::Complaint& error) {
-  const std::size_t offset = offset_of(text, error);
-  const std::string_view before = text.substr(0, offset);
-  const std::size_t line_start = before.rfind('\n') + 1;  // npos + 1 is 0
+Finding fault_finding(const JsonDocument& document, const std::string& file) {
+  const std::string_view text = document.text();
+  const JsonDocument::Complaint& complaint = document.complaint();
   Finding finding;
   finding.file = file;
-  finding.line = 1 + static_cast<int>(std::count(before.begin(), before.end(), '\n'));
-  finding.column = 1 + static_cast<int>(offset - line_start);
-  describe_error(text, offset, error, finding);
+  if (document.fault() == JsonDocument::Fault::kTooDeep) {
+    finding.line = place_of(text, complaint.position - 1).line;
+    finding.pointer = complaint.pointer;
+    finding.found = "lists and objects deeper than " + std::to_string(JsonDocument::kMaxDepth);
+    finding.allowed = "fewer";
+    return finding;
+  }
+  const std::size_t offset = offset_of(text, complaint);
+  const TextPlace place = place_of(text, offset);
+  finding.line = place.line;
+  finding.column = place.column;
+  describe_error(text, offset, complaint, finding);
   return finding;
 }
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "protocol/json/long_token.hpp"
+#include "protocol/json/document.hpp"
 #include "protocol/monitor/arguments.hpp"
 #include "protocol/monitor/call_table.hpp"
 

@@ -93,11 +93,12 @@ ByeText text_of_reason(CloseReason why) {
 /// them: most of the message.
 const std::string& end_of_hello() {
   static const std::string end = [] {
-    const Json members = {
-        {"channels", channels()},
-        {"calls", calls()},
-        {"limits",
-         {{"message_bytes", kMaxMessageBytes}, {"depth", kMaxDepth}, {"max_hz", kMaxHz}}}};
+    const Json members = {{"channels", channels()},
+                          {"calls", calls()},
+                          {"limits",
+                           {{"message_bytes", kMaxMessageBytes},
+                            {"depth", JsonDocument::kMaxDepth},
+                            {"max_hz", kMaxHz}}}};
     return "," + text_of(members).substr(1);
   }();
   return end;

@@ -17,8 +17,6 @@
 namespace xr3::monitor {
 
 inline constexpr std::size_t kMaxMessageBytes = 256 * 1024;
-/// Maximum nesting of lists and objects, including the message itself.
-inline constexpr int kMaxDepth = 32;
 inline constexpr std::size_t kMaxIdBytes = 64;
 /// Maximum integer of the protocol, so that JavaScript can represent all of them exactly.
 inline constexpr std::int64_t kMaxInteger = (std::int64_t{1} << 53) - 1;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "protocol/json/syntax.hpp"
 #include "protocol/recording/entry_json.hpp"
 
 namespace xr3::recording {
@@ -64,7 +65,9 @@ void RecordingReader::check_line(std::string_view line) {
 
 void RecordingReader::require_json(const JsonDocument& document) const {
   if (document.fault() == JsonDocument::Fault::kNone) return;
-  fail(line_, "no JSON: " + document.complaint().message, "one JSON object");
+  Finding finding = fault_finding(document, file_);
+  finding.line = static_cast<int>(line_);
+  throw DataError({std::move(finding)});
 }
 
 std::optional<Header> RecordingReader::header() {

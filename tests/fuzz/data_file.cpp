@@ -27,9 +27,15 @@ void exercise(Robot robot, Workcell workcell) {
   }
 }
 
+void check(const Findings& findings) {
+  for (const Finding& finding : findings)
+    require(finding.more > 0 || !finding.allowed.empty(), "a finding says what is allowed");
+}
+
 void read_as_robot(std::string_view text) {
   FileReading<Robot> reading = read_robot(text, "robot.json");
   require(reading.value.has_value() != has_errors(reading.findings), "a robot, or why not");
+  check(reading.findings);
   if (!reading.value) return;
   const FileReading<Robot> again = read_robot(robot_to_json(*reading.value).dump(), "robot.json");
   require(again.value == reading.value, "the robot written and read again");
@@ -39,6 +45,7 @@ void read_as_robot(std::string_view text) {
 void read_as_workcell(std::string_view text) {
   FileReading<Workcell> reading = read_workcell(text, "workcell.json");
   require(reading.value.has_value() != has_errors(reading.findings), "a workcell, or why not");
+  check(reading.findings);
   if (!reading.value) return;
   const std::string written = workcell_to_json(*reading.value).dump();
   require(read_workcell(written, "workcell.json").value == reading.value,
@@ -67,6 +74,7 @@ void exercise(const FaultPlan& plan) {
 void read_as_faults(std::string_view text) {
   FileReading<FaultPlan> reading = read_faults(text, "faults.json", "ABCDEF");
   require(reading.value.has_value() != has_errors(reading.findings), "faults, or why not");
+  check(reading.findings);
   if (!reading.value) return;
   const std::string written = faults_to_json(*reading.value).dump();
   require(read_faults(written, "faults.json").value == reading.value,

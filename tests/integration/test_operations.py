@@ -45,7 +45,7 @@ commands of a line that wait for the physical controller | cell/device_link.hpp 
 warnings in the log, per line and simulated second | cell/warning_limiter.hpp | kMaxNotesPerSecond
 monitor connections | server/net/socket_limits.hpp | connections
 a request | protocol/monitor/request.hpp | kMaxMessageBytes | 1024
-a request | protocol/monitor/request.hpp | kMaxDepth
+a request | protocol/json/document.hpp | kMaxDepth
 unread replies of a monitor client | protocol/monitor/client.hpp | kMaxAnswers
 unread replies of a monitor client | protocol/monitor/client.hpp | kMaxAnswerBytes | 1024
 a monitor client that reads nothing | server/net/socket.cpp | kMaxStuck

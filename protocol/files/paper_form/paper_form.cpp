@@ -51,8 +51,8 @@ DataError unusable(const CheckResult& result, const std::string& file, const std
 }  // namespace
 
 bool is_json_form(std::string_view text) {
-  const char first = first_character(text);
-  return first == '{' || first == '[';
+  constexpr std::string_view kBegins("{[\xFF\xFE\0", 5);
+  return kBegins.find(first_character(text)) != std::string_view::npos;
 }
 
 CheckResult check_either_form(std::string_view text, const std::string& file, Profile profile,

@@ -28,7 +28,7 @@ FileReading<Workcell> read_paper_workcell(std::string_view text, const std::stri
                                           const Robot* robot = nullptr);
 
 /// Whether a text is meant as JSON, valid or not: its first character outside comments starts an
-/// object or a list.
+/// object or a list, or it is UTF-16, which the reader of JSON refuses.
 bool is_json_form(std::string_view text);
 
 /// check_text() for files of either form. A plain file whose first line has one number is a robot,

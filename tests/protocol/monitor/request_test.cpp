@@ -221,6 +221,8 @@ TEST(MonitorRequest, ReportsMalformedJson) {
             where + "15: {; allowed: nothing after the end of the value");
   EXPECT_EQ(bad(std::string(R"({"op":"ping"})") + '\0' + "{").message,
             where + "14: a NUL byte; allowed: JSON in UTF-8");
+  EXPECT_EQ(bad("{\n\"op\":\n  ping}").message.substr(0, 22), "line 3, column 3: ping");
+  EXPECT_EQ(bad("\n\n [1]").message, "line 3, column 2: no object; allowed: {");
   for (const char* text :
        {"{", "{]", "{'op':1}", "{\"a\":\"\xff\"}", "{\"a\":1e999}", "{\"a\":01}",
         "{\"a\":\"\x01\"}", "{\"a\":nul}", "{\"a\":\"\\ud800\"}", "[1]", "7", ""}) {

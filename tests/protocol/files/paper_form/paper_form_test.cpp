@@ -394,6 +394,7 @@ TEST(PaperForm, RejectsOtherText) {
 TEST(PaperForm, DistinguishesJsonFromThePlainForm) {
   EXPECT_TRUE(is_json_form("* comment\n  {"));
   EXPECT_TRUE(is_json_form("[1]"));
+  EXPECT_TRUE(is_json_form("\xFF\xFE*")) << "in UTF-16";
   EXPECT_FALSE(is_json_form("* {\n5\n"));
   EXPECT_FALSE(is_json_form(""));
   EXPECT_TRUE(check(test::project_file("data/robots/rhino-xr3.json")).robot);
