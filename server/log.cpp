@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "protocol/explain/event_report.hpp"
@@ -22,41 +23,20 @@ namespace {
 
 // A parent process that never reads our standard error must not block the robot. A pipe that polls
 // writable accepts PIPE_BUF bytes without blocking; longer messages are cut.
-class PatientSink : public spdlog::sinks::base_sink<spdlog::details::null_mutex> {
-  static constexpr std::size_t kMaxBytes = 4096;
+void write_to_standard_error(std::string_view text) {
+  constexpr std::size_t kMaxBytes = 4096;
+  pollfd ready{STDERR_FILENO, POLLOUT, 0};
+  if (::poll(&ready, 1, 0) != 1 || (ready.revents & POLLOUT) == 0) return;
+  const auto written = ::write(STDERR_FILENO, text.data(), std::min(text.size(), kMaxBytes));
+  (void)written;  // an error cannot be reported anywhere
+}
 
-  void sink_it_(const spdlog::details::log_msg& message) override {
-    spdlog::memory_buf_t text;
-    formatter_->format(message, text);
-    pollfd ready{STDERR_FILENO, POLLOUT, 0};
-    if (::poll(&ready, 1, 0) != 1 || (ready.revents & POLLOUT) == 0) return;
-    const auto written = ::write(STDERR_FILENO, text.data(), std::min(text.size(), kMaxBytes));
-    (void)written;  // an error cannot be reported anywhere
-  }
-  void flush_() override {}
-};
-
-class FileSink : public spdlog::sinks::base_sink<spdlog::details::null_mutex> {
+/// Writes what the budget admits, as one line each, and says how many messages it has dropped.
+class LogSink final : public spdlog::sinks::base_sink<spdlog::details::null_mutex> {
  public:
-  explicit FileSink(const std::string& path) : file_(path, kMaxLogFileBytes, kMaxLogFiles) {}
-
- private:
-  void sink_it_(const spdlog::details::log_msg& message) override {
-    spdlog::memory_buf_t text;
-    formatter_->format(message, text);
-    file_.write({text.data(), text.size()});
-  }
-  void flush_() override {}
-
-  LogFile file_;
-};
-
-/// Passes on to another sink what the budget admits, as one line each, and says how many messages
-/// it has dropped.
-class LimitedSink : public spdlog::sinks::base_sink<spdlog::details::null_mutex> {
- public:
-  explicit LimitedSink(spdlog::sink_ptr target) : sink_(std::move(target)) {
-    sink_->set_pattern("%H:%M:%S.%e %l %v");
+  explicit LogSink(const std::string& file) {
+    set_pattern("%H:%M:%S.%e %l %v");
+    if (!file.empty()) file_.emplace(file, kMaxLogFileBytes, kMaxLogFiles);
   }
 
   /// Whether an event may be logged now. If not, it counts as dropped. Events leave a reserve for
@@ -74,24 +54,22 @@ class LimitedSink : public spdlog::sinks::base_sink<spdlog::details::null_mutex>
       write(spdlog::level::warn, fmt::format("suppressed {} messages", count));
     write(message.level, printable_line({message.payload.data(), message.payload.size()}));
   }
-  void flush_() override { sink_->flush(); }
+  void flush_() override {}
 
   void write(spdlog::level::level_enum level, const std::string& line) {
     budget_.spend(kPrefixBytes + line.size());
-    sink_->log({"xr3", level, line});
+    spdlog::memory_buf_t text;
+    formatter_->format({"xr3", level, line}, text);
+    const std::string_view formatted(text.data(), text.size());
+    file_ ? file_->write(formatted) : write_to_standard_error(formatted);
   }
 
-  spdlog::sink_ptr sink_;
+  std::optional<LogFile> file_;  ///< nullopt: standard error
   LogBudget budget_{wall_now()};
 };
 
 /// The sink of spdlog's default logger; null before start_log().
-std::shared_ptr<LimitedSink> limited_sink;
-
-spdlog::sink_ptr open_sink(const std::string& file) {
-  if (file.empty()) return std::make_shared<PatientSink>();
-  return std::make_shared<FileSink>(file);
-}
+std::shared_ptr<LogSink> log_sink;
 
 // Events of the machine are debug messages, except those that a user must see: stalls, faults,
 // and warnings that no command caused. The end of a recording needs attention.
@@ -134,8 +112,8 @@ std::string behind(const CellNote& note, std::string_view page) {
 }  // namespace
 
 void start_log(const std::string& level, const std::string& file) {
-  limited_sink = std::make_shared<LimitedSink>(open_sink(file));
-  auto logger = std::make_shared<spdlog::logger>("xr3", limited_sink);
+  log_sink = std::make_shared<LogSink>(file);
+  auto logger = std::make_shared<spdlog::logger>("xr3", log_sink);
   logger->set_level(spdlog::level::from_str(level));
   logger->flush_on(spdlog::level::info);
   spdlog::set_default_logger(std::move(logger));
@@ -144,7 +122,7 @@ void start_log(const std::string& level, const std::string& file) {
 void log_event(const CellEvent& event, const Model& model, const LogNames& names) {
   const auto level = level_of(event.note);
   if (!spdlog::should_log(level)) return;
-  if (limited_sink && !limited_sink->admit_event()) return;  // before the text is made
+  if (log_sink && !log_sink->admit_event()) return;  // before the text is made
   const EventReport about = report(event, model);
   const std::string of_cell = names.cell.empty() ? "" : fmt::format("cell {}: ", names.cell);
   spdlog::log(level, "{}{}{}{}", of_cell, before(event, about.code), about.message,
