@@ -9,7 +9,7 @@
 
 #include "cell/failure.hpp"
 #include "server/device/serial_device.hpp"
-#include "server/net/interrupted.hpp"
+#include "server/files/interrupted.hpp"
 #include "server/net/spawn.hpp"
 #include "server/net/wall_clock.hpp"
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-#include "server/net/interrupted.hpp"
+#include "server/files/interrupted.hpp"
 
 namespace xr3 {
 

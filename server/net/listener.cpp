@@ -11,7 +11,7 @@
 #include <chrono>
 #include <utility>
 
-#include "server/net/interrupted.hpp"
+#include "server/files/interrupted.hpp"
 #include "server/net/spawn.hpp"
 
 namespace xr3 {

@@ -13,7 +13,7 @@
 #include <cstring>
 
 #include "server/files/data_files.hpp"
-#include "server/net/interrupted.hpp"
+#include "server/files/interrupted.hpp"
 
 namespace xr3 {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <cerrno>
 
-#include "server/net/interrupted.hpp"
+#include "server/files/interrupted.hpp"
 
 namespace xr3 {
 

@@ -6,8 +6,8 @@
 #include <cerrno>
 #include <utility>
 
+#include "server/files/interrupted.hpp"
 #include "server/net/acknowledge.hpp"
-#include "server/net/interrupted.hpp"
 
 namespace xr3 {
 namespace {
