@@ -4,7 +4,7 @@
 #pragma once
 
 #include "cli/options/options.hpp"
-#include "server/exit_code.hpp"
+#include "server/base/exit_code.hpp"
 
 namespace xr3 {
 

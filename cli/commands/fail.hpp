@@ -5,7 +5,7 @@
 #include <string>
 
 #include "protocol/text/printable.hpp"
-#include "server/exit_code.hpp"
+#include "server/base/exit_code.hpp"
 #include "server/print.hpp"
 
 namespace xr3 {

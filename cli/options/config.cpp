@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "cli/options/environment.hpp"
+#include "server/files/data_files.hpp"
 
 namespace xr3 {
 namespace {

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string>
 
-#include "server/options/option_sources.hpp"
+#include "server/base/option_sources.hpp"
 
 namespace xr3 {
 

@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-#include "server/options/option_sources.hpp"
+#include "server/base/option_sources.hpp"
 
 namespace xr3 {
 

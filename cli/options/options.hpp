@@ -18,7 +18,7 @@
 #include "cli/options/watch.hpp"
 #include "core/model.hpp"
 #include "core/state.hpp"
-#include "server/exit_code.hpp"
+#include "server/base/exit_code.hpp"
 #include "server/options/options.hpp"
 #include "tools/drawing/picture.hpp"
 #include "tools/kin/question.hpp"

@@ -7,7 +7,7 @@
 
 #include "core/model.hpp"
 #include "protocol/text/numbers.hpp"
-#include "server/exit_code.hpp"
+#include "server/base/exit_code.hpp"
 
 namespace xr3 {
 

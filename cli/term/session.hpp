@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "cli/term/peer.hpp"
-#include "server/exit_code.hpp"
+#include "server/base/exit_code.hpp"
 #include "tools/term/line_decoder.hpp"
 
 namespace xr3 {

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "server/exit_code.hpp"
+#include "server/base/exit_code.hpp"
 #include "server/net/spawn.hpp"
 
 namespace xr3 {

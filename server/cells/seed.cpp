@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "protocol/files/faults.hpp"
+#include "server/files/data_files.hpp"
 #include "server/files/load_model.hpp"
 #include "server/net/wall_clock.hpp"
 

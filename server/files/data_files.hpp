@@ -6,15 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "server/exit_code.hpp"
+#include "server/base/exit_code.hpp"
 
 namespace xr3 {
-
-/// A file that cannot be found, read or written; the message names the file and the reason.
-class FileError : public ExitError {
- public:
-  explicit FileError(const std::string& what) : ExitError(ExitCode::kBadInput, what) {}
-};
 
 struct DataFile {
   std::string path;  ///< for messages

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "core/model.hpp"
-#include "server/options/option_sources.hpp"
+#include "server/base/option_sources.hpp"
 
 namespace xr3 {
 

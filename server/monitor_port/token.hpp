@@ -6,7 +6,7 @@
 #include <string>
 #include <variant>
 
-#include "server/exit_code.hpp"
+#include "server/base/exit_code.hpp"
 
 namespace xr3 {
 

@@ -13,9 +13,9 @@
 #include "protocol/line/line_guard.hpp"
 #include "protocol/line/line_speed.hpp"
 #include "protocol/line/serial_settings.hpp"
+#include "server/base/option_sources.hpp"
 #include "server/monitor_port/token.hpp"
 #include "server/options/cells.hpp"
-#include "server/options/option_sources.hpp"
 
 namespace xr3 {
 

@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "server/files/data_files.hpp"
+#include "server/base/exit_code.hpp"
 
 namespace xr3 {
 

@@ -1,4 +1,4 @@
-// The exit codes of xr3, as `xr3 --help` lists them.
+// The exit codes of xr3, as `xr3 --help` lists them, and the errors that end a command.
 #pragma once
 
 #include <stdexcept>
@@ -29,6 +29,12 @@ class ExitError : public std::runtime_error {
 
  private:
   ExitCode code_;
+};
+
+/// A file that cannot be found, read or written; the message names the file and the reason.
+class FileError : public ExitError {
+ public:
+  explicit FileError(const std::string& what) : ExitError(ExitCode::kBadInput, what) {}
 };
 
 }  // namespace xr3
