@@ -17,7 +17,7 @@
 #include "protocol/json/finding.hpp"
 #include "server/app.hpp"
 #include "server/log.hpp"
-#include "server/monitor_port/token.hpp"
+#include "server/options/token.hpp"
 #include "server/print.hpp"
 
 namespace xr3 {

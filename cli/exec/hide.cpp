@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "cli/exec/throw_errno.hpp"
-#include "server/monitor_port/token.hpp"
+#include "server/options/token.hpp"
 
 namespace xr3 {
 

@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "server/log.hpp"
-#include "server/monitor_port/token.hpp"
 #include "server/net/spawn.hpp"
 #include "server/net/wall_clock.hpp"
+#include "server/options/token.hpp"
 
 namespace xr3 {
 namespace {

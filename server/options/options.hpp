@@ -14,8 +14,8 @@
 #include "protocol/line/line_speed.hpp"
 #include "protocol/line/serial_settings.hpp"
 #include "server/base/option_sources.hpp"
-#include "server/monitor_port/token.hpp"
 #include "server/options/cells.hpp"
+#include "server/options/token.hpp"
 
 namespace xr3 {
 

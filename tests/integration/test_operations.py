@@ -77,8 +77,8 @@ a data file | server/files/data_files.cpp | kMaxWaitMs | 1000
 wrong tokens of a connection | server/monitor_port/service.cpp | kMaxWrongTokens
 wrong tokens of a connection | server/monitor_port/wrong_tokens.hpp | kWrongTokenDelay
 wrong tokens of all connections | server/monitor_port/wrong_tokens.hpp | kWrongTokensPerSecond
-a token | server/monitor_port/token.hpp | kMinTokenBytes
-a token | server/monitor_port/token.hpp | kMaxTokenBytes
+a token | server/options/token.hpp | kMinTokenBytes
+a token | server/options/token.hpp | kMaxTokenBytes
 log | server/log_budget.hpp | kMaxLogBurst | 1024
 log | server/log_budget.hpp | kMaxLogBytesPerSecond | 1024
 log file | server/log.hpp | kMaxLogFiles

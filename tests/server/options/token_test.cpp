@@ -1,5 +1,5 @@
 // Tokens from a file, from the environment and generated; invalid tokens.
-#include "server/monitor_port/token.hpp"
+#include "server/options/token.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "server/monitor_port/token.hpp"
+#include "server/options/token.hpp"
 
 #include <nettle/base64.h>
 #include <sys/random.h>
