@@ -26,8 +26,8 @@ RULES = {
     "cli": (("core/", "protocol/", "cell/", "tools/", "server/", "cli/"), None, set()),
 }
 # Folders that know nothing of each other; app.cpp connects them.
-SEPARATE = (("server/robot_port/", "server/monitor_port/"), ("server/robot_port/", "server/http/"),
-            ("server/lines/", "server/monitor_port/"), ("server/lines/", "server/http/"))
+SEPARATE = tuple((mine, other) for mine in ("server/robot_port/", "server/lines/")
+                 for other in ("server/monitor_port/", "server/http/", "server/resources/"))
 HOUSED = tuple(RULES) + ("tests", "clients/web/src")
 # One case per file: lists, not rooms.
 LISTS = ("tests/transcripts/", "tests/integration/", "tests/data/broken/", "tests/data/recordings/", "tests/fuzz/corpus/")

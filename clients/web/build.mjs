@@ -1,5 +1,5 @@
 // Bundles the page into dist/: one script, one style sheet, index.html and the icon. The server's
-// build embeds these files in its binary (server/http/web_assets.cmake).
+// build embeds these files in its binary (server/resources/web_assets.cmake).
 import { build } from "esbuild";
 import { copyFile, mkdir, readFile, rm, stat } from "node:fs/promises";
 import { fileURLToPath } from "node:url";

@@ -9,7 +9,6 @@
 #include <string_view>
 
 #include "protocol/monitor/protocol_detector.hpp"
-#include "server/http/session.hpp"
 #include "server/monitor_port/json_lines.hpp"
 #include "server/monitor_port/service.hpp"
 #include "server/monitor_port/websocket.hpp"
@@ -17,6 +16,7 @@
 #include "server/net/listener.hpp"
 #include "server/net/peer_counts.hpp"
 #include "server/net/socket.hpp"
+#include "server/resources/session.hpp"
 
 namespace xr3 {
 

@@ -6,13 +6,13 @@
 #include <vector>
 
 #include "server/cells/registry.hpp"
-#include "server/http/resources.hpp"
 #include "server/monitor_port/connection.hpp"
 #include "server/monitor_port/refusals.hpp"
 #include "server/net/asio.hpp"
 #include "server/net/listener.hpp"
 #include "server/net/socket_limits.hpp"
 #include "server/net/wall_clock.hpp"
+#include "server/resources/resources.hpp"
 
 namespace xr3 {
 

@@ -55,9 +55,9 @@ recorded events, recorded bytes of lines | cell/cell.hpp | kMaxEvents
 recorded events, recorded bytes of lines | cell/cell.hpp | kMaxWires
 head of an HTTP request | server/http/wire.hpp | kMaxHeadBytes | 1024
 head of an HTTP request | server/http/wire.hpp | kMaxFields
-head of an HTTP request | server/http/session.cpp | kMaxHeadTime
+head of an HTTP request | server/resources/session.cpp | kMaxHeadTime
 head of an HTTP request | server/http/wire.hpp | kMaxTargetBytes | 1024
-an HTTP connection between requests | server/http/session.cpp | kKeptAlive
+an HTTP connection between requests | server/resources/session.cpp | kKeptAlive
 the history of all cells | server/app.cpp | kHistoryBytes | 1048576
 a recording | server/options/options.hpp | record_max_mib
 free space on the disk of recordings | server/recording/room.hpp | kFreeMib

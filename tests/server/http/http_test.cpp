@@ -11,7 +11,7 @@
 
 #include "protocol/files/workcell.hpp"
 #include "protocol/json/source.hpp"
-#include "server/http/resources.hpp"
+#include "server/resources/resources.hpp"
 #include "tests/support/cell_host.hpp"
 #include "tests/support/models.hpp"
 

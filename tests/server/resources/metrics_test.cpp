@@ -1,5 +1,5 @@
 // The metrics page, parsed line by line as Prometheus would.
-#include "server/http/metrics.hpp"
+#include "server/resources/metrics.hpp"
 
 #include <gtest/gtest.h>
 

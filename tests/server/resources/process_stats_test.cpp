@@ -1,5 +1,5 @@
 // Tests the statistics of the process.
-#include "server/http/process_stats.hpp"
+#include "server/resources/process_stats.hpp"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "server/http/process_stats.hpp"
+#include "server/resources/process_stats.hpp"
 
 #include <sys/resource.h>
 #include <sys/stat.h>

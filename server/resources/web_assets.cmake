@@ -16,7 +16,7 @@ foreach(file IN LISTS files)
     "${name}_end: .byte 0\\n\"\n")
   math(EXPR count "${count} + 1")
 endforeach()
-set(text "// Made by server/http/web_assets.cmake.\n#include \"server/http/web_assets_table.hpp\"\n\n")
+set(text "// Made by server/resources/web_assets.cmake.\n#include \"server/resources/web_assets_table.hpp\"\n\n")
 if(count GREATER 0)
   string(APPEND text
     "asm(\".pushsection .rodata\\n\"\n${bytes}    \".popsection\\n\");\n\n"

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "cell/counters.hpp"
-#include "server/http/process_stats.hpp"
+#include "server/resources/process_stats.hpp"
 
 namespace xr3 {
 

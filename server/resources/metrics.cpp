@@ -1,4 +1,4 @@
-#include "server/http/metrics.hpp"
+#include "server/resources/metrics.hpp"
 
 #include <prometheus/metric_family.h>
 #include <prometheus/text_serializer.h>

@@ -7,9 +7,9 @@
 #include <optional>
 #include <string>
 
-#include "server/http/resources.hpp"
 #include "server/net/asio.hpp"
 #include "server/net/socket.hpp"
+#include "server/resources/resources.hpp"
 
 namespace xr3 {
 

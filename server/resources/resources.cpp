@@ -1,4 +1,4 @@
-#include "server/http/resources.hpp"
+#include "server/resources/resources.hpp"
 
 #include <stdexcept>
 #include <utility>
@@ -9,11 +9,11 @@
 #include "protocol/monitor/model.hpp"
 #include "server/files/data_files.hpp"
 #include "server/files/png.hpp"
-#include "server/http/metrics.hpp"
-#include "server/http/process_stats.hpp"
-#include "server/http/web_assets.hpp"
 #include "server/net/wall_clock.hpp"
 #include "server/options/cells.hpp"
+#include "server/resources/metrics.hpp"
+#include "server/resources/process_stats.hpp"
+#include "server/resources/web_assets.hpp"
 #include "tools/drawing/pbm.hpp"
 #include "tools/drawing/picture.hpp"
 #include "tools/drawing/svg.hpp"

@@ -1,10 +1,10 @@
-#include "server/http/web_assets.hpp"
+#include "server/resources/web_assets.hpp"
 
 #include <algorithm>
 #include <array>
 #include <utility>
 
-#include "server/http/web_assets_table.hpp"
+#include "server/resources/web_assets_table.hpp"
 
 namespace xr3 {
 namespace {

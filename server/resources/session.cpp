@@ -1,4 +1,4 @@
-#include "server/http/session.hpp"
+#include "server/resources/session.hpp"
 
 #include <boost/asio/post.hpp>
 #include <chrono>
