@@ -10,7 +10,7 @@
 
 #include "core/robot.hpp"
 #include "core/workcell.hpp"
-#include "protocol/files/check_report.hpp"
+#include "protocol/check/check_report.hpp"
 #include "protocol/files/robot.hpp"
 #include "protocol/files/workcell.hpp"
 

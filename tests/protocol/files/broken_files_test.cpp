@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "protocol/files/check_report.hpp"
+#include "protocol/check/check_report.hpp"
 #include "tests/support/models.hpp"
 
 namespace xr3 {

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "protocol/files/check_report.hpp"
+#include "protocol/check/check_report.hpp"
 
 namespace xr3 {
 namespace {

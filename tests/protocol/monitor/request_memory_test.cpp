@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "protocol/files/check_report.hpp"
+#include "protocol/check/check_report.hpp"
 #include "protocol/monitor/message.hpp"
 #include "protocol/monitor/request_error.hpp"
 #include "tests/protocol/monitor/requests.hpp"

@@ -1,4 +1,4 @@
-#include "protocol/files/check_report.hpp"
+#include "protocol/check/check_report.hpp"
 
 #include <utility>
 

@@ -1,5 +1,5 @@
 // The report of `xr3 check` about a file: its kind, findings and summary.
-#include "protocol/files/check_report.hpp"
+#include "protocol/check/check_report.hpp"
 
 #include <gtest/gtest.h>
 
