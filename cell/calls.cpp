@@ -7,6 +7,7 @@
 #include "core/camera.hpp"
 #include "core/carousel.hpp"
 #include "core/placement.hpp"
+#include "protocol/files/workcell.hpp"
 #include "protocol/monitor/saved_cell.hpp"
 
 namespace xr3 {
@@ -198,9 +199,10 @@ call::Outcome Cell::carry_out(const call::AddBlock& add, WallNs) {
     return call::Refused{"name_taken", "there is a block " + name + " already",
                          "choose another name, or call block_move"};
   }
-  if (state().blocks.size() >= kMaxBlocks) {
+  const std::size_t max_blocks = is_replayed_ ? kMaxBlocks : kMaxFileBlocks;
+  if (state().blocks.size() >= max_blocks) {
     return call::Refused{"limit",
-                         "a workcell has at most " + std::to_string(kMaxBlocks) + " blocks",
+                         "a workcell has at most " + std::to_string(max_blocks) + " blocks",
                          "call block_remove first"};
   }
   if (auto refused = refuse_rows(model(), state(), camera_rows(model().workcell(), {add.block})))

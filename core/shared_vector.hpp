@@ -1,4 +1,4 @@
-// A vector that its copies share until one of them changes: a copy of the ten thousand blocks of a
+// A vector that its copies share until one of them changes: a copy of the many blocks of a
 // workcell costs a pointer, so a snapshot, a checkpoint and a client's view need no copy of them.
 #pragma once
 

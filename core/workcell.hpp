@@ -19,7 +19,7 @@ struct Workspace {
   bool operator==(const Workspace&) const = default;
 };
 
-/// Maximum number of blocks in a workcell.
+/// Maximum number of blocks in a state. Files and calls may have fewer: kMaxFileBlocks.
 inline constexpr std::size_t kMaxBlocks = 10'000;
 
 /// A rectangular box: length along its own x, width along y, height along z. Upright unless held.
@@ -39,8 +39,8 @@ struct Camera {
   PointUm location_um;
   Micrometres field_x_um = 0;  ///< length of the field of view on the work surface
   Micrometres field_y_um = 0;  ///< width of the field of view on the work surface
-  int pixels_x = 0;            ///< 1...2048
-  int pixels_y = 0;            ///< 1...2048
+  int pixels_x = 0;            ///< 1...2048; at most 1000 in files and calls
+  int pixels_y = 0;            ///< 1...2048; at most 1000 in files and calls
   Projection projection = Projection::kOrthographic;
   bool operator==(const Camera&) const = default;
 };

@@ -8,13 +8,13 @@
 #include "protocol/explain/fault_text.hpp"
 #include "protocol/files/consistency.hpp"
 #include "protocol/files/kind.hpp"
+#include "protocol/files/workcell.hpp"
 
 namespace xr3 {
 namespace {
 
 using namespace data;  // NOLINT: keeps the tables below readable
 
-constexpr int kMaxCameraPixels = 2048;
 constexpr std::int64_t kMaxWhole = Fault::kMaxTicks;
 
 Codec<std::string> fault_name() {
@@ -90,9 +90,9 @@ const Members<Fault>& data::fault_members() {
       optional("delay_ms", &Fault::delay_ms, integer<std::uint32_t>(1, Fault::kMaxDelayMs)),
       optional("period_ms", &Fault::period_ms, integer<std::uint32_t>(1, Fault::kMaxPeriodMs)),
       optional("bounce_ms", &Fault::bounce_ms, integer<std::uint32_t>(1, Fault::kMaxBounceMs)),
-      optional("row", &Fault::row, whole_number(0, kMaxCameraPixels - 1)),
-      optional("columns", &Fault::columns, whole_number(-kMaxCameraPixels, kMaxCameraPixels)),
-      optional("rows", &Fault::rows, whole_number(-kMaxCameraPixels, kMaxCameraPixels)),
+      optional("row", &Fault::row, whole_number(0, kMaxSavedPixels - 1)),
+      optional("columns", &Fault::columns, whole_number(-kMaxSavedPixels, kMaxSavedPixels)),
+      optional("rows", &Fault::rows, whole_number(-kMaxSavedPixels, kMaxSavedPixels)),
       optional("at_tick", &Fault::at_tick, integer<Tick>(0, kMaxWhole)),
       optional("from_tick", &Fault::from_tick, integer<Tick>(0, kMaxWhole)),
       optional("after_bytes", &Fault::after_bytes, integer<std::uint64_t>(0, kMaxWhole)),

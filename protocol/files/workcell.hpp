@@ -2,6 +2,8 @@
 // the caller; no file is read here.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,15 +15,28 @@
 
 namespace xr3 {
 
+/// Maximum number of blocks of a workcell in files and calls.
+inline constexpr std::size_t kMaxFileBlocks = 256;
+/// Maximum number of columns and of rows of a camera in files and calls.
+inline constexpr int kMaxFilePixels = 1000;
+/// Maximum number of columns and of rows of a camera in recordings and snapshots.
+inline constexpr int kMaxSavedPixels = 2048;
+
+/// Bounds of blocks and pixels. Recordings and snapshots may be of earlier versions, which allowed
+/// more: up to kMaxBlocks and kMaxSavedPixels.
+enum class WorkcellBounds : std::uint8_t { kFile, kSaved };
+
 /// Reads and checks a workcell file; with a robot, also whether the blocks fit its tool
 /// and, from index `first_reach` on, whether it can reach them: see check_workcell(). Syntax errors
 /// are findings, too. Never throws.
 FileReading<Workcell> read_workcell(std::string_view text, const std::string& file,
-                                    const Robot* robot = nullptr, std::size_t first_reach = 0);
+                                    const Robot* robot = nullptr, std::size_t first_reach = 0,
+                                    WorkcellBounds bounds = WorkcellBounds::kFile);
 
 /// The same for the document being read; errors go to the reading.
 std::optional<Workcell> read_workcell(data::Reading& reading, const Robot* robot = nullptr,
-                                      std::size_t first_reach = 0);
+                                      std::size_t first_reach = 0,
+                                      WorkcellBounds bounds = WorkcellBounds::kFile);
 
 /// The same; throws DataError with all findings if one of them is an error.
 Workcell load_workcell(std::string_view text, const std::string& file);

@@ -8,6 +8,7 @@
 #include "protocol/files/block.hpp"
 #include "protocol/files/faults.hpp"
 #include "protocol/files/kind.hpp"
+#include "protocol/files/workcell.hpp"
 
 namespace xr3 {
 namespace {
@@ -81,7 +82,7 @@ Codec<Microdegrees> angle() {
                                          nullptr);
 }
 
-Codec<std::vector<std::string>> block_names() { return list(block_name(), 1, kMaxBlocks); }
+Codec<std::vector<std::string>> block_names() { return list(block_name(), 1, kMaxFileBlocks); }
 
 // --- The members of each kind; overloaded by a null pointer of its type.
 

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "protocol/files/workcell.hpp"
 #include "protocol/json/codec.hpp"
 #include "protocol/monitor/request.hpp"
 #include "protocol/monitor/request_error.hpp"
@@ -60,8 +61,9 @@ enum class Presence : std::uint8_t { kRequired, kOptional };
 class ArgsReader {
  public:
   /// An empty `object` has no members. `pointer` is its position in the message.
-  ArgsReader(JsonValue object, std::string pointer, InvalidValues& findings)
-      : object_(object), pointer_(std::move(pointer)), findings_(findings) {}
+  ArgsReader(JsonValue object, std::string pointer, InvalidValues& findings,
+             WorkcellBounds bounds = WorkcellBounds::kFile)
+      : object_(object), pointer_(std::move(pointer)), findings_(findings), bounds_(bounds) {}
 
   /// The member, unchecked, or empty. From now on refuse_others() regards it as known.
   JsonValue ask(const std::string& name, Presence presence = Presence::kOptional,
@@ -91,12 +93,15 @@ class ArgsReader {
   void refuse_others();
 
   InvalidValues& findings() const { return findings_; }
+  /// The bounds of a workcell among the members.
+  WorkcellBounds bounds() const { return bounds_; }
   const std::vector<Asked>& asked() const { return asked_; }
 
  private:
   JsonValue object_;
   std::string pointer_;
   InvalidValues& findings_;
+  WorkcellBounds bounds_;
   std::vector<Asked> asked_;
 };
 

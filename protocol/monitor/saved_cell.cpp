@@ -145,13 +145,13 @@ Members<State> saved_state_members() {
       optional("faults", &State::faults, saved_faults())};
 }
 
-/// A workcell in the form of its file; the rules of workcell files apply.
+/// A workcell in the form of its file; the rules of workcell files apply, with higher bounds.
 Codec<Workcell> workcell_file() {
   Codec<Workcell> codec;
   codec.allowed = "a workcell in the form of its file";
   codec.read = [](const Place& place, Workcell& workcell) {
     Reading reading(place.value, Unit::kOfDocument);
-    std::optional<Workcell> read = read_workcell(reading);
+    std::optional<Workcell> read = read_workcell(reading, nullptr, 0, WorkcellBounds::kSaved);
     place.reading.adopt(reading);
     if (!read) return false;
     workcell = *std::move(read);

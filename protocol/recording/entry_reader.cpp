@@ -161,7 +161,8 @@ std::optional<call::Call> read_call(const Place& fn, JsonValue args) {
   const monitor::CallForm* form = call_form(fn);
   if (form == nullptr) return refuse();
   monitor::InvalidValues findings;
-  monitor::ArgsReader reader(args, args ? args.pointer_from(fn.reading.root()) : "", findings);
+  monitor::ArgsReader reader(args, args ? args.pointer_from(fn.reading.root()) : "", findings,
+                             WorkcellBounds::kSaved);
   monitor::CallValue value = form->read(reader);
   reader.refuse_others();
   for (const monitor::Detail& detail : findings.error({}).details) {

@@ -132,7 +132,10 @@ const Members<Parts>& header_members() {
               "a robot", [](const auto& text) { return read_robot(text, ""); }, robot_to_json)),
       required("workcell", &Parts::workcell,
                document<Workcell>(
-                   "a workcell", [](const auto& text) { return read_workcell(text, ""); },
+                   "a workcell",
+                   [](const auto& text) {
+                     return read_workcell(text, "", nullptr, 0, WorkcellBounds::kSaved);
+                   },
                    workcell_to_json)),
       optional("c", &Parts::check, text(0, kMaxName))};
   return members;

@@ -8,16 +8,11 @@ from support import ROOT
 
 SHIPPED = "shipped"    # five blocks, 192 x 192 pixels
 HUNDRED = "hundred"    # a hundred blocks, also shipped
-THOUSAND = "thousand"  # a thousand blocks
-CAMERA = "camera"      # the shipped blocks, and 2,048 x 2,048 pixels
-LARGEST = "largest"    # 10,000 blocks and 2,048 x 2,048 pixels
-HEAPED = "heaped"      # 2,048 x 2,048 pixels, and as many blocks as may cover the camera's whole field
+LARGEST = "largest"    # 256 blocks and 1,000 x 1,000 pixels
 
-BOUND_MS = {SHIPPED: 3, HUNDRED: 3, THOUSAND: 20, CAMERA: 20, LARGEST: 20, HEAPED: 20}
-MOST_BLOCKS = 10_000
-MOST_PIXELS = 2048
-MOST_ROWS = 500_000  # of the camera's image, counted for each block
-FIELD_MM = 384
+BOUND_MS = {SHIPPED: 3, HUNDRED: 3, LARGEST: 20}
+MOST_BLOCKS = 256
+MOST_PIXELS = 1000
 
 
 def block(number, size_mm=(40, 20, 20)):
@@ -25,6 +20,10 @@ def block(number, size_mm=(40, 20, 20)):
     row, column = divmod(number, 100)
     return {"name": f"{number:040d}", "size": list(size_mm), "color": number % 16, "yaw_deg": number % 90,
             "centroid": [round(100 + 3.8 * column, 3), round(-190 + 3.8 * row % 380, 3), size_mm[2] / 2]}
+
+
+def most_blocks(size_mm=(40, 20, 20)):
+    return [block(number, size_mm) for number in range(MOST_BLOCKS)]
 
 
 def workcell(blocks=None, pixels=None):
@@ -35,18 +34,7 @@ def workcell(blocks=None, pixels=None):
     return cell | {"notes": ""} | ({} if blocks is None else {"blocks": blocks})
 
 
-def _heap():
-    middle = [290, 0, 10]
-    size = (2 * FIELD_MM, 2 * FIELD_MM, 20)
-    return [block(number, size) | {"centroid": middle} for number in range(MOST_ROWS // MOST_PIXELS)]
-
-
-MADE = {
-    THOUSAND: lambda: workcell([block(number) for number in range(1000)]),
-    CAMERA: lambda: workcell(pixels=MOST_PIXELS),
-    LARGEST: lambda: workcell([block(number, (6, 4, 20)) for number in range(MOST_BLOCKS)], MOST_PIXELS),
-    HEAPED: lambda: workcell(_heap(), MOST_PIXELS),
-}
+MADE = {LARGEST: lambda: workcell(most_blocks((200, 200, 20)), MOST_PIXELS)}
 
 
 class Cell:

@@ -10,7 +10,7 @@ import urllib.request
 
 import websocket
 from attack import Attack, Measured, busy_share, waited_s
-from cells import CAMERA, LARGEST, Cell
+from cells import LARGEST, Cell
 from memory import send_greedily
 from support import DEADLINE_S, LOCALHOST, XR3, Server
 from target import RESET, Target, connect, get, json_line
@@ -208,17 +208,16 @@ def is_state_served(xr3):
 
 IMAGES = 20
 ATTACKS = [
-    stop("idle", CAMERA, page, b""),
-    stop("line-images", CAMERA, line, b"A**" * IMAGES),
+    stop("idle", LARGEST, page, b""),
     stop("line-images", LARGEST, line, b"A**" * IMAGES),
-    stop("http-images", CAMERA, page, get("/camera.pbm") * IMAGES),
-    stop("http-png", CAMERA, page, get("/camera.png") * IMAGES),
+    stop("http-images", LARGEST, page, get("/camera.pbm") * IMAGES),
+    stop("http-png", LARGEST, page, get("/camera.png") * IMAGES),
     stop("http-pictures", LARGEST, page, get("/view.svg")),
-    stop("http-unfinished", CAMERA, page, b"GET /"),
-    stop("json-images", CAMERA, page, json_line("get", channel="image") * IMAGES),
+    stop("http-unfinished", LARGEST, page, b"GET /"),
+    stop("json-images", LARGEST, page, json_line("get", channel="image") * IMAGES),
     stop("json-states", LARGEST, page, json_line("get", channel="state") * IMAGES),
     stop("json-followers", LARGEST, page, json_line("sub", channel="state", max_hz=60)),
-    stop("websocket-images", CAMERA, frames, websocket.text("get", channel="image") * IMAGES),
+    stop("websocket-images", LARGEST, frames, websocket.text("get", channel="image") * IMAGES),
     Attack("full.cpu", 5, "% of a core", full_cpu),
     Attack("full.health-checks", 0, "missed", full_health),
     Attack("full.recovery", 1, "s", full_recovery),

@@ -4,7 +4,7 @@ import itertools
 import re
 
 from attack import beside
-from cells import HEAPED, HUNDRED, LARGEST, SHIPPED
+from cells import HUNDRED, LARGEST, SHIPPED
 from target import call, get, read_answer
 
 MANY = 1000
@@ -72,7 +72,7 @@ ATTACKS = [
     *beside("http.camera.png", flood(get("/camera.png")), *ALL),
     *beside("http.camera.pbm", flood(get("/camera.pbm")), *ALL),
     *beside("http.camera.pbm-unread", unread(get("/camera.pbm"), 100), LARGEST),
-    *beside("http.view.svg", flood(get("/view.svg?vector=1,1,1")), SHIPPED, HUNDRED, LARGEST, HEAPED),
+    *beside("http.view.svg", flood(get("/view.svg?vector=1,1,1")), SHIPPED, HUNDRED, LARGEST),
     *beside("http.vectors", flood(VECTORS), *ALL),
     *beside("http.view.svg-changing", changing("/view.svg"), *ALL),
     *beside("http.workcell-changing", changing("/workcell"), *ALL),

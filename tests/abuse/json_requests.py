@@ -7,11 +7,10 @@ import json
 import select
 
 from attack import beside, crowd
-from cells import HEAPED, HUNDRED, LARGEST, SHIPPED, THOUSAND, block, workcell
+from cells import HUNDRED, LARGEST, SHIPPED, most_blocks, workcell
 from lines import MANY_LINES, MOVES
 from target import call, get, json_line
 
-MOST_BYTES = 256 * 1024
 STATE_FIELDS = ("clock", "joints", "tool", "blocks", "switches", "io", "moving", "stalled", "enabled", "model_rev")
 MANUAL = {"clock": "manual"}
 
@@ -22,12 +21,7 @@ def flood(data, count=1, before=()):
 
 @functools.cache
 def largest_workcell_call():
-    """A legal call of nearly the maximum length."""
-    calls = lambda count: call("workcell", workcell=workcell([block(number) for number in range(count)]))
-    count = MOST_BYTES // (len(calls(101)) - len(calls(100)))
-    while len(data := calls(count)) > MOST_BYTES:
-        count -= 10
-    return data
+    return call("workcell", workcell=workcell(most_blocks()))
 
 
 def scenes(target):
@@ -122,9 +116,8 @@ def many_lines(request):
 
 
 def inline_snapshots(target):
-    """Loads a snapshot of as many blocks as a request can hold, again and again."""
-    cell = workcell([block(number) for number in range(600)])
-    sock = target.ask(call("workcell", workcell=cell))
+    """Loads a snapshot of the most blocks, again and again."""
+    sock = target.ask(largest_workcell_call())
     sock.sendall(call("snapshot_save", inline=True))
     answer = json.loads(sock.makefile("rb").readline())
     target.flood(target.ask, call("snapshot_load", snapshot=answer["value"]["snapshot"]))
@@ -143,7 +136,7 @@ ATTACKS = [
     *beside("json.lines", flood(json_line("get", channel="line", since=1)), SHIPPED),
     *beside("json.states", flood(json_line("get", channel="state")), *SHIPPED_AND_LARGEST),
     *beside("json.selected-states", flood(b"".join(
-        json_line("get", channel="state", fields=permutation(number)) for number in range(200))), THOUSAND, LARGEST),
+        json_line("get", channel="state", fields=permutation(number)) for number in range(200))), LARGEST),
     *beside("json.images", flood(json_line("get", channel="image")), *SHIPPED_AND_LARGEST),
     *beside("json.run-lengths", flood(json_line("get", channel="image", encoding="rle")), *SHIPPED_AND_LARGEST),
     *beside("json.models", flood(json_line("get", channel="model")), *SHIPPED_AND_LARGEST),
@@ -154,18 +147,18 @@ ATTACKS = [
     *beside("json.sent", flood(call("send", text="A**" * 1000)), *SHIPPED_AND_LARGEST),
     *beside("json.workcells", flood(largest_workcell_call()), SHIPPED),
     *beside("json.edits", flood(edits()), *SHIPPED_AND_LARGEST),
-    *beside("json.scenes", scenes, SHIPPED, LARGEST, HEAPED),
+    *beside("json.scenes", scenes, *SHIPPED_AND_LARGEST),
     *beside("json.homes", flood(call("home") + json_line("get", channel="state")), *SHIPPED_AND_LARGEST),
     *beside("json.resets", flood(call("reset")), *SHIPPED_AND_LARGEST),
     *beside("json.snapshots-saved", flood(SAVED), *SHIPPED_AND_LARGEST),
     *beside("json.snapshots-loaded", flood(LOADED, before=[SAVED]), *SHIPPED_AND_LARGEST),
-    *beside("json.snapshots-refused", flood(call("snapshot_save", inline=True) + json_line("ping")), LARGEST),
+    *beside("json.snapshots-inline-saved", flood(call("snapshot_save", inline=True) + json_line("ping")), LARGEST),
     *beside("json.snapshots-inline", inline_snapshots, SHIPPED),
     *beside("json.steps", flood(STEP), *SHIPPED_AND_LARGEST, **MANUAL),
     *beside("json.runs", flood(RUN), *SHIPPED_AND_LARGEST, **MANUAL),
     *beside("json.rates", flood(call("rate", factor=100_000) + call("send", text=MOVES.decode())), SHIPPED),
     *beside("json.churn", churn, *SHIPPED_AND_LARGEST),
-    *beside("json.viewers", viewers(permutation), SHIPPED, HUNDRED, THOUSAND, LARGEST),
+    *beside("json.viewers", viewers(permutation), SHIPPED, HUNDRED, LARGEST),
     *beside("json.image-viewers", viewers(image_fields, "image"), SHIPPED, LARGEST),
     *crowd("json.waiting", waiting, **MANUAL),
     *beside("json.wrong-tokens", wrong_tokens, SHIPPED, options=("--token", "auto")),

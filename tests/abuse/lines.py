@@ -8,7 +8,7 @@ import signal
 import socket
 
 from attack import beside, crowd
-from cells import HEAPED, HUNDRED, LARGEST, SHIPPED
+from cells import HUNDRED, LARGEST, SHIPPED
 from target import MOST_AT_ONCE, PING, call, json_line
 
 MANY_LINES = 60  # of 64
@@ -96,10 +96,10 @@ EVENT = json_line("sub", channel="event")
 
 ATTACKS = [
     *beside("nothing", lambda target: target.hold(), SHIPPED, LARGEST),  # for comparison
-    *beside("lines.images", flood(b"A**\n"), SHIPPED, HUNDRED, LARGEST, HEAPED),
+    *beside("lines.images", flood(b"A**\n"), SHIPPED, HUNDRED, LARGEST),
     *beside("lines.images-unread", flood(b"A**", reads=False), SHIPPED, LARGEST),
     *beside("lines.pixels-unread", flood(b"A*0,0*", reads=False), SHIPPED, LARGEST),
-    *beside("lines.rows", flood(ROWS), SHIPPED, LARGEST, HEAPED),
+    *beside("lines.rows", flood(ROWS), SHIPPED, LARGEST),
     *beside("lines.moves", flood(MOVES + b"A**"), SHIPPED, LARGEST),
     *beside("lines.inquiries", flood(b"E?" + b"?" * 100), SHIPPED),
     *beside("lines.homes", flood(b"A$A**"), SHIPPED, LARGEST),

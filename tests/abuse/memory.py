@@ -9,7 +9,7 @@ import time
 
 import websocket
 from attack import MIB, Attack, Measured, cpu_s
-from cells import CAMERA, HUNDRED, LARGEST, SHIPPED, Cell, block, workcell
+from cells import HUNDRED, LARGEST, SHIPPED, Cell, block, workcell
 from json_requests import INVALID, largest_workcell_call, permutation
 from lines import MOVES
 from support import DEADLINE_S, Server
@@ -150,31 +150,31 @@ WORKCELL = call("workcell", workcell=workcell())
 WORKCELL_OF_HUNDRED = call("workcell", workcell=workcell([block(number) for number in range(100)]))
 
 ATTACKS = [
-    greedy("camera.pbm", CAMERA, page, images(get("/camera.pbm"))),
-    greedy("camera.png", CAMERA, page, images(get("/camera.png"))),
+    greedy("camera.pbm", LARGEST, page, images(get("/camera.pbm"))),
+    greedy("camera.png", LARGEST, page, images(get("/camera.png"))),
     greedy("view.svg", LARGEST, page, images(get("/view.svg"))),
     greedy("state", LARGEST, page, images(get("/state"))),
     greedy("workcell", LARGEST, page, images(get("/workcell"))),
-    greedy("lines", CAMERA, line, b"A**" * REPEATED),
-    greedy("json-images", CAMERA, page, images(GET_IMAGE)),
+    greedy("lines", LARGEST, line, b"A**" * REPEATED),
+    greedy("json-images", LARGEST, page, images(GET_IMAGE)),
     greedy("json-states", LARGEST, page, images(json_line("get", channel="state"))),
     greedy("json-models", LARGEST, page, images(json_line("get", channel="model"))),
-    greedy("json-workcells", LARGEST, page, call("snapshot_save", inline=True) * 3),  # each is refused, after long work
+    greedy("json-workcells", LARGEST, page, call("snapshot_save", inline=True) * 3),
     greedy("json-events", SHIPPED, page, json_line("get", channel="event", since=1) * 300),
-    greedy("json-sends", CAMERA, page, call("send", text="A**" * 1000) * REPEATED, own=call("send", text="A**")),
+    greedy("json-sends", LARGEST, page, call("send", text="A**" * 1000) * REPEATED, own=call("send", text="A**")),
     greedy("json-unfinished", SHIPPED, page, b'{"op":"ping","more":"' + b"x" * 250_000),
     greedy("json-errors", SHIPPED, page, b"{}\n" * 2000),
-    greedy("websocket-images", CAMERA, socket, images(websocket.text("get", channel="image"))),
+    greedy("websocket-images", LARGEST, socket, images(websocket.text("get", channel="image"))),
     greedy("websocket-unfinished", SHIPPED, socket, UNFINISHED_TEXT),
     greedy("websocket-pings", SHIPPED, socket, websocket.frame(websocket.PING, b"x" * 125) * 1000),
     greedy("http-unfinished", SHIPPED, page, UNFINISHED_HEAD),
     greedy("telnet", SHIPPED, line, b"\xff\xfd\x01" * 20_000),
-    greedy("suspended", CAMERA, line, b"\xff\xfb,\xff\xfa,\x08\xff\xf0" + b"A**" * REPEATED),
+    greedy("suspended", LARGEST, line, b"\xff\xfb,\xff\xfa,\x08\xff\xf0" + b"A**" * REPEATED),
     greedy("suspended-inquiries", SHIPPED, line, b"\r\xff\xfb,\xff\xfa,\x08\xff\xf0" + b"I" * 100_000),
     greedy("followers", SHIPPED, follower, b"", clock="real"),
     greedy("followers", LARGEST, follower, b"", clock="real", own=json_line("get", channel="state")),
-    thousand("thousand-images", CAMERA, (line, b"A**" * REPEATED), (page, images(get("/camera.pbm")))),
-    thousand("thousand-json", CAMERA, (line, b"A*0*" * REPEATED), (page, images(GET_IMAGE))),
+    thousand("thousand-images", LARGEST, (line, b"A**" * REPEATED), (page, images(get("/camera.pbm")))),
+    thousand("thousand-json", LARGEST, (line, b"A*0*" * REPEATED), (page, images(GET_IMAGE))),
     thousand("thousand-followers", LARGEST, (follower, b"")),
     calls("workcells", 4, HUNDRED, WORKCELL_OF_HUNDRED, 4000),
     calls("large-workcells", 8, SHIPPED, largest_workcell_call(), 500),

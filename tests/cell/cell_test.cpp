@@ -8,6 +8,7 @@
 #include "cell/failure.hpp"
 #include "core/camera.hpp"
 #include "core/kinematics.hpp"
+#include "protocol/files/workcell.hpp"
 #include "tests/support/models.hpp"
 
 namespace xr3 {
@@ -102,6 +103,21 @@ TEST(Cell, RefusesBlocksWhosePictureWouldTakeTooLong) {
   EXPECT_EQ(code(lab.call(call::RemoveBlock{"0"})), "");
   EXPECT_EQ(code(lab.call(call::MoveBlock{"apart", another.centroid_um, {}})), "");
   EXPECT_EQ(code(lab.call(call::AddBlock{another})), "limit");
+}
+
+TEST(Cell, BoundsTheNumberOfBlocksButNotInAReplay) {
+  Lab lab;
+  Workcell workcell = test::workcell_named("rhino-xr3");
+  workcell.camera.reset();
+  const Block block{"last", {9'000, 9'000, 9'000}, {300'000, 0, 4'500}, 0, 1};
+  workcell.blocks.edit().assign(kMaxFileBlocks, block);
+  for (std::size_t i = 0; i < kMaxFileBlocks; ++i)
+    workcell.blocks.edit()[i].name = std::to_string(i);
+  lab.call(call::ReplaceWorkcell{workcell});
+  const call::Outcome outcome = lab.call(call::AddBlock{block});
+  EXPECT_EQ(std::get<call::Refused>(outcome).message, "a workcell has at most 256 blocks");
+  lab.cell.replay_to(0);
+  EXPECT_TRUE(std::holds_alternative<call::Done>(lab.call(call::AddBlock{block}, 0)));
 }
 
 TEST(Cell, ARealClockFollowsTheWallClockAtItsRate) {

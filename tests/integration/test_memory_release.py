@@ -94,7 +94,7 @@ class Answers(unittest.TestCase):
         """A call's answer is made from a copy of the state, 2 MiB here, while the calls of other clients wait."""
         workcell = json.loads(pathlib.Path(ROOT, "data/workcells/rhino-xr3.json").read_text(encoding="utf-8"))
         block = workcell["blocks"][0]
-        workcell["blocks"] = [block | {"name": f"{number:040d}"} for number in range(10_000)]
+        workcell["blocks"] = [block | {"name": f"{number:040d}"} for number in range(256)]
         with tempfile.TemporaryDirectory() as folder:
             file = pathlib.Path(folder, "large.json")
             file.write_text(json.dumps(workcell), encoding="utf-8")
@@ -144,7 +144,7 @@ class Files(unittest.TestCase):
             ("the same in a robot", "{" + long_name("r", FILE_BYTES) + ',"joints":[]}', ["unknown member", "..."]),
             ("many members", '{"blocks":[],' + ",".join('"%d":0' % i for i in range(100_000)) + "}", ["unknown member", "more like these"]),
             ("many blocks", fill('{"blocks":[', "{}", "]}", 30_000), ["/blocks/0/name", "more like these"]),
-            ("far too many blocks", fill('{"blocks":[', "0", "]}", FILE_BYTES), ["a list of 4", "0 to 10000"]),
+            ("far too many blocks", fill('{"blocks":[', "0", "]}", FILE_BYTES), ["a list of 4", "0 to 256"]),
             ("many of one name", fill('{"blocks":[],', '"a":0', "}", FILE_BYTES), ['"a", a duplicate', "more like these"]),
             ("deep", '{"blocks":' + "[" * FILE_BYTES, ["deeper than 32"]),
             ("no JSON", fill('{"blocks":[', "0", ",]}", FILE_BYTES), ["allowed: a value"]),

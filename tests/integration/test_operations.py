@@ -68,10 +68,13 @@ waiting of a call with `after` | protocol/monitor/request.hpp | kMaxWithinMs | 1
 named snapshots | cell/cell.hpp | kMaxSnapshots
 faults on demand | core/faults/fault.hpp | kMaxFaults
 events of the effects of a fault | core/faults/faults.hpp | kMaxFaultNews
-blocks of a workcell | core/workcell.hpp | kMaxBlocks
-rows of the camera's image that the blocks take, counted for each block | core/camera.hpp | kMaxCameraRows
-pixels of a camera | protocol/files/workcell.cpp | kMaxPixels
-pixels of a camera | protocol/files/workcell.cpp | kMaxPixels
+blocks of a workcell | protocol/files/workcell.hpp | kMaxFileBlocks
+pixels of a camera | protocol/files/workcell.hpp | kMaxFilePixels
+pixels of a camera | protocol/files/workcell.hpp | kMaxFilePixels
+the same in recordings and snapshots, which may be of earlier versions | core/workcell.hpp | kMaxBlocks
+the same in recordings and snapshots, which may be of earlier versions | protocol/files/workcell.hpp | kMaxSavedPixels
+the same in recordings and snapshots, which may be of earlier versions | protocol/files/workcell.hpp | kMaxSavedPixels
+the same in recordings and snapshots, which may be of earlier versions | core/camera.hpp | kMaxCameraRows
 a data file | server/files/data_files.cpp | kLargestFile | 1048576
 a data file | server/files/data_files.cpp | kMaxWaitMs | 1000
 wrong tokens of a connection | server/monitor_port/service.cpp | kMaxWrongTokens

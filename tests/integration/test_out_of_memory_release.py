@@ -13,7 +13,7 @@ import unittest
 from support import DEADLINE_S, ROOT, Line, Server, connect, run_xr3
 
 BROKEN = 5
-PIXELS = 2048
+PIXELS = 1000
 LINES = 400
 MORE_KIB = 48 * 1024  # some dozens of pictures
 PICTURES = b"A**" * 20

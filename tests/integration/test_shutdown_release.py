@@ -25,7 +25,7 @@ class Shutdown(unittest.TestCase):
         self.addCleanup(resource.setrlimit, resource.RLIMIT_NOFILE, (soft, hard))
         folder = self.enterContext(tempfile.TemporaryDirectory())
         workcell = json.loads(pathlib.Path(ROOT, "data/workcells/rhino-xr3.json").read_text(encoding="utf-8"))
-        workcell["camera"]["pixels"] = [2048, 2048]
+        workcell["camera"]["pixels"] = [1000, 1000]
         self.workcell = pathlib.Path(folder, "large.json")
         self.workcell.write_text(json.dumps(workcell), encoding="utf-8")
 

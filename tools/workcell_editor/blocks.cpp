@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "protocol/files/consistency.hpp"
+#include "protocol/files/workcell.hpp"
 #include "tools/workcell_editor/dialogue.hpp"
 
 namespace xr3 {
@@ -91,7 +92,7 @@ void WorkcellDialogue::ask_block() {
 }
 
 void WorkcellDialogue::add() {
-  if (workcell_.blocks.size() >= kMaxBlocks)
+  if (workcell_.blocks.size() >= kMaxFileBlocks)
     return say("The workcell has the maximum number of blocks.\n");
   block_index_ = workcell_.blocks.size();
   block_ = dialogue::proposed_block(workcell_, arm_);

@@ -3,6 +3,7 @@
 // it has no errors.
 #include <utility>
 
+#include "protocol/files/workcell.hpp"
 #include "tools/workcell_editor/dialogue.hpp"
 
 namespace xr3 {
@@ -14,7 +15,6 @@ using dialogue::Lengths;
 
 constexpr std::size_t kMaxWorkcellName = 80;
 constexpr std::size_t kMaxNotesHeight = 4000;
-constexpr int kMaxCameraPixels = 2048;
 
 }  // namespace
 
@@ -130,11 +130,11 @@ void WorkcellDialogue::edit_camera(bool is_wanted) {
       length_step("Field along x", {1, space.x_um}, kAnySize, camera.field_x_um, field),
       length_step("Field along y", {1, 2 * space.y_um}, kAnySize, camera.field_y_um, field),
       [&camera] {
-        return dialogue::whole_question("Pixels along x", 1, kMaxCameraPixels, camera.pixels_x,
+        return dialogue::whole_question("Pixels along x", 1, kMaxFilePixels, camera.pixels_x,
                                         "Columns of the image; 2 mm per pixel is fine.");
       },
       [&camera] {
-        return dialogue::whole_question("Pixels along y", 1, kMaxCameraPixels, camera.pixels_y,
+        return dialogue::whole_question("Pixels along y", 1, kMaxFilePixels, camera.pixels_y,
                                         "Rows of the image.");
       },
       [&camera] {

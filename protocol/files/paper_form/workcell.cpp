@@ -39,7 +39,7 @@ const std::vector<Row> kCameraRows = {
 constexpr const char* kBlocksTitle = "number of blocks";
 
 void read_blocks(PaperReader& reader) {
-  const std::size_t blocks = reader.count(kBlocksTitle, "/blocks", kMaxBlocks);
+  const std::size_t blocks = reader.count(kBlocksTitle, "/blocks", kMaxFileBlocks);
   for (std::size_t i = 0; i < blocks; ++i) {
     const std::string block = child_pointer("/blocks", i);
     reader.open(block, kBlockExtras);

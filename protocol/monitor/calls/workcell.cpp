@@ -56,7 +56,7 @@ CallValue read_workcell_call(ArgsReader& args) {
       document(args, "workcell", Presence::kRequired, "an object in the form of a workcell file");
   if (!value) return call::ReplaceWorkcell{};
   data::Reading reading(value, data::Unit::kOfDocument);
-  std::optional<Workcell> workcell = read_workcell(reading);
+  std::optional<Workcell> workcell = read_workcell(reading, nullptr, 0, args.bounds());
   args.findings().add_errors(reading, "");
   return call::ReplaceWorkcell{std::move(workcell).value_or(Workcell{})};
 }

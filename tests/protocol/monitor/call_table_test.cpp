@@ -309,6 +309,10 @@ TEST(MonitorCalls, ParsesWorkcell) {
   const auto replaced = call_of<call::ReplaceWorkcell>(
       "workcell", R"({"workcell":)" + workcell_text("rhino-xr3") + "}");
   EXPECT_EQ(replaced.workcell, test::workcell_named("rhino-xr3"));
+  Json large = Json::parse(workcell_text("rhino-xr3"));
+  large["camera"]["pixels"] = {kMaxFilePixels, kMaxFilePixels + 1};
+  EXPECT_EQ(wrong_in("workcell", R"({"workcell":)" + large.dump() + "}"),
+            Pointers{"/args/workcell/camera/pixels/1"});
   EXPECT_EQ(wrong_in("workcell", "{}"), Pointers{"/args/workcell"});
   EXPECT_EQ(wrong_in("workcell", R"({"workcell":[]})"), Pointers{"/args/workcell"});
 }

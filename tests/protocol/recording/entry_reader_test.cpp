@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/home.hpp"
+#include "protocol/files/workcell.hpp"
 #include "protocol/json/document.hpp"
 #include "protocol/monitor/call_table.hpp"
 #include "protocol/recording/entry_json.hpp"
@@ -132,6 +133,18 @@ TEST(RecordedCall, ValuesAreExact) {
     EXPECT_EQ(std::get<call::MoveBlock>(move).yaw_udeg, yaw);
     EXPECT_EQ(std::get<call::MoveBlock>(move).centroid_um, (PointUm{yaw / 10, 5, -yaw / 7}));
   }
+}
+
+TEST(RecordedCall, WorkcellsOfEarlierVersionsMayBeLarger) {
+  Workcell large = full_workcell();
+  large.camera->pixels_x = kMaxSavedPixels;
+  for (std::size_t i = large.blocks.size(); i <= kMaxFileBlocks; ++i) {
+    large.blocks.edit().push_back(large.blocks[0]);
+    large.blocks.edit().back().name = std::to_string(i);
+  }
+  const auto read = read_back(text_of_call(call::ReplaceWorkcell{large}));
+  ASSERT_TRUE(read);
+  EXPECT_EQ(std::get<call::ReplaceWorkcell>(*read).workcell, large);
 }
 
 TEST(RecordedCall, OtherCallsAndWrongArgumentsAreRefused) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "protocol/files/workcell.hpp"
 #include "protocol/json/document.hpp"
 #include "tests/support/models.hpp"
 
@@ -49,6 +50,21 @@ TEST(RecordingHeader, TheModelOfEveryShippedRobotIsTheSameAfterwards) {
     EXPECT_EQ(read->line_speed, header.line_speed);
     EXPECT_EQ(read->faults, header.faults);
   }
+}
+
+TEST(RecordingHeader, WorkcellsOfEarlierVersionsMayBeLarger) {
+  Workcell large = test::workcell_named("rhino-xr3");
+  large.camera->pixels_y = kMaxSavedPixels;
+  for (std::size_t i = large.blocks.size(); i <= kMaxFileBlocks; ++i) {
+    large.blocks.edit().push_back(large.blocks[0]);
+    large.blocks.edit().back().name = std::to_string(i);
+  }
+  Header header = full_header("rhino-xr3");
+  header.model =
+      std::make_shared<const Model>(test::robot_named("rhino-xr3"), large, Profile::kMark3);
+  const auto read = header_of(header_to_json(header));
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->model->workcell(), large);
 }
 
 TEST(RecordingHeader, TheByteClockSurvivesTheRoundTrip) {

@@ -121,7 +121,7 @@ TEST(WorkcellDialogue, CreatesAWorkcellItemByItem) {
             "Added: r \"red\" at (262, 0, 32.5).\nAnother block? (yes or no) [yes]: ");
   EXPECT_EQ(talk.type("no"), "A camera? (yes or no) [yes]: ");
   EXPECT_EQ(talk.type("yes"), "Camera x (0 to 650 mm) [325]: ");
-  EXPECT_EQ(talk.enter(6), "Pixels along y (1 to 2048) [192]: ");
+  EXPECT_EQ(talk.enter(6), "Pixels along y (1 to 1000) [192]: ");
   EXPECT_EQ(talk.type("96"), "Projection (orthographic or perspective) [orthographic]: ");
   EXPECT_THAT(talk.type("per"), HasSubstr("R robot   . within reach   : camera's field"));
   EXPECT_THAT(talk.shown(), EndsWith("r red\nworkcell (not saved)> "));

@@ -293,7 +293,7 @@ TEST(PaperForm, ReportsErrorsOfWorkcellsWithTheirLines) {
        "(the rest of the file was not read)"},
       {"a block too few", with_line(kTable, 4, "3"), "8 /blocks/2, 9 /camera/location", "7 items"},
       {"no count", with_line(kTable, 4, "some"), "4 /blocks",
-       "a whole number 0 to 10000 (the rest of the file was not read)"},
+       "a whole number 0 to 256 (the rest of the file was not read)"},
       {"a wild count", with_line(kTable, 4, "1e9"), "4 /blocks", "found 1"},
       {"cut off", kTable.substr(0, kTable.find("384")), "8 /camera/field",
        "found the end of the file; allowed: camera's field of view"},
