@@ -1,7 +1,6 @@
 #include "cell/frames.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -49,24 +48,17 @@ std::string object_text(const MemberTexts& members, const Fields& fields) {
 
 }  // namespace
 
-FrameSource frame_source(Cell& cell, Channel channel) {
-  return {channel, cell.revision(), cell.model_ptr(), cell.snapshot(),
-          channel == Channel::kImage ? cell.camera_image() : nullptr};
-}
-
 FrameCache::ChannelCache& FrameCache::cache_of(Channel channel) {
-  return caches_.at(static_cast<std::size_t>(channel));
-}
-
-bool FrameCache::is_current(Channel channel, std::uint64_t revision) const {
-  return caches_.at(static_cast<std::size_t>(channel)).revision == revision;
+  std::unique_ptr<ChannelCache>& cache = caches_.at(static_cast<std::size_t>(channel));
+  if (!cache) cache = std::make_unique<ChannelCache>();
+  return *cache;
 }
 
 const monitor::Frame* FrameCache::frame(const monitor::Selection& selection) {
-  ChannelCache& cache = cache_of(selection.channel);
-  assert(cache.seq > 0);
-  if (selection.channel == Channel::kImage && !cache.image) return nullptr;
-  return vital("the frames", [&] {
+  return vital("the frames", [&]() -> const monitor::Frame* {
+    ChannelCache& cache = cache_of(selection.channel);
+    if (cache.revision != cell_.revision()) update(selection.channel, cache);
+    if (selection.channel == Channel::kImage && !cache.image) return nullptr;
     EncodedFrame& encoded = encoded_for(cache, selection);
     if (encoded.seq != cache.seq) make(cache, encoded);
     return &encoded.frame;
@@ -75,71 +67,68 @@ const monitor::Frame* FrameCache::frame(const monitor::Selection& selection) {
 
 std::size_t FrameCache::trim() {
   std::size_t bytes = 0;
-  for (ChannelCache& cache : caches_) {
-    for (const EncodedFrame& each : cache.encoded)
+  for (const std::unique_ptr<ChannelCache>& cache : caches_) {
+    if (!cache) continue;
+    for (const EncodedFrame& each : cache->encoded)
       bytes += each.frame.message ? each.frame.message->size() : 0;
-    cache.encoded = {};
-    for (MemberTexts& members : cache.image_members) members = {};
+    cache->encoded = {};
+    for (MemberTexts& members : cache->image_members) members = {};
   }
   return bytes;
 }
 
-void FrameCache::show(const FrameSource& source) {
-  vital("the frames", [&] { update(source, cache_of(source.channel)); });
-}
-
-void FrameCache::update(const FrameSource& source, ChannelCache& cache) {
-  cache.revision = source.revision;
-  const bool is_new = cache.seq == 0 || cache.epoch != source.snapshot.epoch;
-  if (!has_changed(source, cache) && !is_new) return;
+void FrameCache::update(Channel channel, ChannelCache& cache) {
+  cache.revision = cell_.revision();
+  const bool is_new = cache.seq == 0 || cache.epoch != cell_.epoch();
+  if (!has_changed(channel, cache) && !is_new) return;
   ++cache.seq;
-  cache.epoch = source.snapshot.epoch;
-  cache.tick = source.snapshot.state.tick;
+  cache.epoch = cell_.epoch();
+  cache.tick = cell_.state().tick;
 }
 
-bool FrameCache::has_changed(const FrameSource& source, ChannelCache& cache) {
-  const bool is_state = source.channel == Channel::kState;
-  const bool is_later = is_state && cache.tick != source.snapshot.state.tick;
-  if (source.channel == Channel::kImage) return has_new_image(source, cache);
-  if (is_state && is_only_later(source, cache)) return is_later;
-  if (source.channel == Channel::kModel && is_same_model(source, cache)) return false;
-  cache.members = members_of(source);
+bool FrameCache::has_changed(Channel channel, ChannelCache& cache) {
+  const bool is_state = channel == Channel::kState;
+  const bool is_later = is_state && cache.tick != cell_.state().tick;
+  if (channel == Channel::kImage) return has_new_image(cache);
+  if (is_state && is_only_later(cache)) return is_later;
+  if (channel == Channel::kModel && is_same_model(cache)) return false;
+  cache.members = members_of(channel);
   std::string text = object_text(cache.members, std::nullopt);
   const bool is_other = text != cache.text;
   cache.text = std::move(text);
   return is_other || is_later;
 }
 
-/// Whether only the tick has changed since the last source; the text is then still valid.
-bool FrameCache::is_only_later(const FrameSource& source, ChannelCache& cache) {
-  Snapshot now = source.snapshot;
+/// Whether only the tick has changed since the last frame; the text is then still valid.
+bool FrameCache::is_only_later(ChannelCache& cache) const {
+  Snapshot now = cell_.snapshot();
   now.state.tick = 0;
   const bool is_same = cache.snapshot == now;
   cache.snapshot = std::move(now);
   return is_same;
 }
 
-/// Whether the workcell is the same as in the last source. The robot never changes.
-bool FrameCache::is_same_model(const FrameSource& source, ChannelCache& cache) {
-  ShownModel now{source.snapshot.model_rev, workcell_now(*source.model, source.snapshot.state)};
+/// Whether the workcell is the same as in the last frame. The robot never changes.
+bool FrameCache::is_same_model(ChannelCache& cache) const {
+  ShownModel now{cell_.model_rev(), workcell_now(cell_.model(), cell_.state())};
   const bool is_same = cache.model == now;
   cache.model = std::move(now);
   return is_same;
 }
 
-bool FrameCache::has_new_image(const FrameSource& source, ChannelCache& cache) {
-  const ImagePtr before = std::exchange(cache.image, source.image);
+bool FrameCache::has_new_image(ChannelCache& cache) const {
+  const ImagePtr before = std::exchange(cache.image, cell_.camera_image());
   if (before == cache.image) return false;
   for (MemberTexts& members : cache.image_members) members.clear();
   return !before || !cache.image || *before != *cache.image;
 }
 
-MemberTexts FrameCache::members_of(const FrameSource& source) {
-  const Model& model = *source.model;
-  const Snapshot& now = source.snapshot;
-  if (source.channel == Channel::kDisplay) return texts_of(display_json(model, now.state));
-  if (source.channel == Channel::kState) return states_.encode(model, now);
-  Json members = model_json(model, now.state, now.model_rev, "");
+MemberTexts FrameCache::members_of(Channel channel) {
+  const Model& model = cell_.model();
+  const State& state = cell_.state();
+  if (channel == Channel::kDisplay) return texts_of(display_json(model, state));
+  if (channel == Channel::kState) return states_.encode(model, cell_.snapshot());
+  Json members = model_json(model, state, cell_.model_rev(), "");
   members["hash"] = sha256(members["robot"].dump() + members["workcell"].dump());
   return texts_of(members);
 }
@@ -168,7 +157,7 @@ void FrameCache::make(ChannelCache& cache, EncodedFrame& encoded) const {
   encoded.frame.content = monitor::content_id(content);
   encoded.seq = encoded.frame.seq = cache.seq;
   encoded.frame.message = monitor::channel_message(
-      selection.channel, {cell_, cache.epoch, cache.seq, cache.tick}, content);
+      selection.channel, {cell_.name(), cache.epoch, cache.seq, cache.tick}, content);
 }
 
 }  // namespace xr3

@@ -1,11 +1,11 @@
 // Caches the current frame of each latest-wins channel. A frame is encoded once for all clients
-// with the same selection, and kept until the cell changes. Independent of clients. It
-// encodes copies of a cell's data, so that another thread can do it for a large cell.
+// with the same selection, and kept until the cell changes. Independent of clients.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <deque>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -14,30 +14,14 @@
 
 namespace xr3 {
 
-/// A copy of the data of a cell from which the frames of one channel are made.
-struct FrameSource {
-  monitor::Channel channel{};
-  std::uint64_t revision = 0;  ///< of the cell
-  ModelPtr model;
-  Snapshot snapshot;
-  ImagePtr image;  ///< of the channel image only; nullptr without a camera
-};
-/// The data now. An image is rendered if it has changed.
-FrameSource frame_source(Cell& cell, monitor::Channel channel);
-
 class FrameCache {
  public:
-  /// `cell` is the cell's name in the frames.
-  explicit FrameCache(std::string cell) : cell_(std::move(cell)) {}
+  /// The cell must outlive it.
+  explicit FrameCache(Cell& cell) : cell_(cell) {}
 
-  /// Whether the channel (state, image, display or model) shows this revision of the cell.
-  bool is_current(monitor::Channel channel, std::uint64_t revision) const;
-  /// Makes the channel show a newer revision of the cell.
-  void show(const FrameSource& source);
-
-  /// The frame of the selection's channel, valid until the next call; nullptr for an image if there
-  /// is no camera. Frames with equal seq and selection have equal bytes. Precondition: show() was
-  /// called for the channel.
+  /// The current frame of the selection's channel (state, image, display or model), valid until the
+  /// next call; nullptr for an image if there is no camera. Frames with equal seq and selection
+  /// have equal bytes.
   const monitor::Frame* frame(const monitor::Selection& selection);
 
   /// Discards the encoded frames, which frame() makes again. Returns the bytes of their messages.
@@ -73,19 +57,20 @@ class FrameCache {
   };
 
   ChannelCache& cache_of(monitor::Channel channel);
-  void update(const FrameSource& source, ChannelCache& cache);
-  bool has_changed(const FrameSource& source, ChannelCache& cache);
-  static bool is_only_later(const FrameSource& source, ChannelCache& cache);
-  static bool is_same_model(const FrameSource& source, ChannelCache& cache);
-  static bool has_new_image(const FrameSource& source, ChannelCache& cache);
-  MemberTexts members_of(const FrameSource& source);
+  void update(monitor::Channel channel, ChannelCache& cache);
+  bool has_changed(monitor::Channel channel, ChannelCache& cache);
+  bool is_only_later(ChannelCache& cache) const;
+  bool is_same_model(ChannelCache& cache) const;
+  bool has_new_image(ChannelCache& cache) const;
+  MemberTexts members_of(monitor::Channel channel);
   EncodedFrame& encoded_for(ChannelCache& cache, const monitor::Selection& selection) const;
   static std::string content_of(ChannelCache& cache, const monitor::Selection& selection);
   void make(ChannelCache& cache, EncodedFrame& encoded) const;
 
-  std::string cell_;
+  Cell& cell_;
   StateEncoder states_;
-  std::array<ChannelCache, 4> caches_;  ///< state, image, display, model
+  /// State, image, display, model; null until the first frame, since most cells are not watched.
+  std::array<std::unique_ptr<ChannelCache>, 4> caches_;
 };
 
 }  // namespace xr3

@@ -12,20 +12,14 @@ HostedCell::HostedCell(CellContext& context, CellParts parts)
       lines_(context.turns, cell_, [this] { acted(); }),
       due_timer_(context.io, cell_, [this] { acted(); }),
       silence_timer_(context.io, cell_, lines_, [this] { acted(); }),
-      frames_(context.io, cell_, context.worker),
-      hub_(
-          context.io, cell_, frames_, [this] { context_.turns.run_turns(); },
-          [this] { return weak_from_this().lock(); }) {}
+      frames_(cell_),
+      hub_(context.io, cell_, frames_, [this] { context_.turns.run_turns(); }),
+      pictures_(context.io, context.worker) {}
 
 // The sessions give back their places at the port, which is destroyed before the sessions.
 HostedCell::~HostedCell() {
   freeze();
   lines_.drop();
-}
-
-http::CellBodies& HostedCell::bodies() {
-  if (!bodies_) bodies_ = std::make_unique<http::CellBodies>(context_.io, context_.worker);
-  return *bodies_;
 }
 
 RobotPort& HostedCell::add_port(RobotPortRules rules) {

@@ -9,13 +9,13 @@
 #include <vector>
 
 #include "cell/cell.hpp"
+#include "cell/frames.hpp"
 #include "cell/history/history.hpp"
 #include "server/device/port.hpp"
-#include "server/http/cell_bodies.hpp"
+#include "server/http/pictures.hpp"
 #include "server/lines/due_timer.hpp"
 #include "server/lines/sessions.hpp"
 #include "server/lines/silence_timer.hpp"
-#include "server/monitor_port/frame_maker.hpp"
 #include "server/monitor_port/subscribers.hpp"
 #include "server/net/asio.hpp"
 #include "server/net/worker.hpp"
@@ -67,9 +67,9 @@ class HostedCell : public std::enable_shared_from_this<HostedCell> {
   LineSessions& lines() { return lines_; }
   /// The lines, as far as the calls of the monitor need them.
   LineTransports& transports() { return lines_; }
-  FrameMaker& frames() { return frames_; }
+  FrameCache& frames() { return frames_; }
   SubscriberHub& hub() { return hub_; }
-  http::CellBodies& bodies();
+  http::Pictures& pictures() { return pictures_; }
 
   /// Its own robot port; to be called once.
   RobotPort& add_port(RobotPortRules rules);
@@ -127,9 +127,9 @@ class HostedCell : public std::enable_shared_from_this<HostedCell> {
   std::unique_ptr<RobotPort> port_;
   std::unique_ptr<PtyPort> ptys_;
   std::optional<DevicePort> device_;
-  FrameMaker frames_;
+  FrameCache frames_;
   SubscriberHub hub_;
-  std::unique_ptr<http::CellBodies> bodies_;
+  http::Pictures pictures_;
   bool is_retired_ = false;
   bool is_frozen_ = false;
 };

@@ -87,10 +87,6 @@ monitor::Message refused(const monitor::RequestId& id, const call::Refused& why)
 
 Json value_now(const Cell& cell) { return {{"epoch", cell.epoch()}, {"tick", cell.state().tick}}; }
 
-MonitorService::Answer MonitorService::at_once(const monitor::Message& message) {
-  return {[message] { return message; }};
-}
-
 asio::awaitable<void> MonitorService::call(CellPtr at, MonitorSession& session,
                                            monitor::Request request) {
   const auto& wanted = std::get<monitor::CallRequest>(request.what);
@@ -107,41 +103,28 @@ asio::awaitable<void> MonitorService::call(CellPtr at, MonitorSession& session,
     }
   }
   if (moves_time(wanted)) co_await at->transports().read_arrived();
-  co_await making_long_.until_free();
   if (at->is_retired()) {
     session.send(unknown_cell(session, request));
     co_return;
   }
-  Answer answer;
+  monitor::Message answer;
   if (std::holds_alternative<monitor::Send>(wanted.call))
     answer = co_await send(*at, session, request);
   else
     answer = carry_out_call(*at, request);
   at->acted();
-  monitor::Message message = co_await message_of(std::move(answer));
-  session.send(std::move(message));
-}
-
-// While the worker makes one, other calls wait, so that one copy of a large state exists at most,
-// however many clients have called.
-asio::awaitable<monitor::Message> MonitorService::message_of(Answer answer) {
-  if (!answer.is_long) co_return answer.make();
-  const Exclusive::Hold hold(making_long_);
-  monitor::Message message = co_await worker_.run(std::move(answer.make));
-  co_return message;
+  session.send(std::move(answer));
 }
 
 // Carries out a call other than `send`. Not a coroutine: it takes effect before anything else runs.
-MonitorService::Answer MonitorService::carry_out_call(HostedCell& at, monitor::Request& request) {
+monitor::Message MonitorService::carry_out_call(HostedCell& at, monitor::Request& request) {
   const auto& wanted = std::get<monitor::CallRequest>(request.what);
   if (std::holds_alternative<call::Call>(wanted.call)) return call_cell(at, request);
   if (std::holds_alternative<monitor::ListLines>(wanted.call)) return list_lines(at, request);
   if (std::holds_alternative<monitor::ListFaults>(wanted.call))
-    return at_once(monitor::result(request.id, value_with_faults(at.cell())));
-  if (std::holds_alternative<monitor::DisconnectLine>(wanted.call))
-    return at_once(disconnect(at, request));
-  if (std::holds_alternative<monitor::ReleasePeer>(wanted.call))
-    return at_once(release_peer(at, request));
+    return monitor::result(request.id, value_with_faults(at.cell()));
+  if (std::holds_alternative<monitor::DisconnectLine>(wanted.call)) return disconnect(at, request);
+  if (std::holds_alternative<monitor::ReleasePeer>(wanted.call)) return release_peer(at, request);
   return transcript(at, request);
 }
 
@@ -158,20 +141,20 @@ asio::awaitable<std::optional<call::Refused>> MonitorService::wait_for(HostedCel
   co_return timeout(after, cell.bytes_in(after.line).value_or(0));
 }
 
-MonitorService::Answer MonitorService::call_cell(HostedCell& at, monitor::Request& request) {
+monitor::Message MonitorService::call_cell(HostedCell& at, monitor::Request& request) {
   Cell& cell = at.cell();
   const auto& wanted = std::get<monitor::CallRequest>(request.what);
   const auto& call = std::get<call::Call>(wanted.call);
   if (const auto error = monitor::limit_ticks(request, cell.state().tick))
-    return at_once(monitor::result(*error));
+    return monitor::result(*error);
   if (!may_enlarge(call))
-    return at_once(refused(request.id, {"limit", "the server has allocated more than --max-memory",
-                                        "remove blocks, or restart the server"}));
+    return refused(request.id, {"limit", "the server has allocated more than --max-memory",
+                                "remove blocks, or restart the server"});
   if (const auto error = validate_snapshot(request.id, cell.model(), call))
-    return at_once(monitor::result(*error));
+    return monitor::result(*error);
   const Applied applied = cell.apply(call, wall_now());
   if (const auto* no = std::get_if<call::Refused>(&applied.outcome))
-    return at_once(refused(request.id, *no));
+    return refused(request.id, *no);
   return done(at, request, std::get<call::Done>(applied.outcome));
 }
 
@@ -181,8 +164,8 @@ bool MonitorService::may_enlarge(const call::Call& call) const {
   return !is_bounded || !enlarges(call) || !memory_->is_exceeded();
 }
 
-MonitorService::Answer MonitorService::done(HostedCell& at, const monitor::Request& request,
-                                            const call::Done& done) {
+monitor::Message MonitorService::done(HostedCell& at, const monitor::Request& request,
+                                      const call::Done& done) {
   const Cell& cell = at.cell();
   const auto& wanted = std::get<monitor::CallRequest>(request.what);
   const auto& call = std::get<call::Call>(wanted.call);
@@ -190,24 +173,14 @@ MonitorService::Answer MonitorService::done(HostedCell& at, const monitor::Reque
   if (done.reached) value["reached"] = *done.reached;
   if (done.ran_ticks) value["ran_ticks"] = *done.ran_ticks;
   if (holds_any<call::SetFault, call::ClearFault>(call))
-    return at_once(monitor::result(request.id, value_with_faults(cell)));
-  const bool is_large = cell.state().blocks.size() > FrameMaker::kMaxBlocksAtOnce;
-  if (moves_time(call)) {
-    return {[id = request.id, fields = wanted.fields, model = cell.model_ptr(),
-             now = cell.snapshot(), value]() mutable {
-              value["state"] = state_json(*model, now, fields);
-              return monitor::result(id, value);
-            },
-            is_large};
+    return monitor::result(request.id, value_with_faults(cell));
+  if (moves_time(call)) value["state"] = state_json(cell.model(), cell.snapshot(), wanted.fields);
+  if (done.saved) {
+    const std::string name = snapshot_name(call);
+    const bool is_inline = name.empty() && std::holds_alternative<call::SaveSnapshot>(call);
+    add_saved(*done.saved, name, is_inline, value);
   }
-  if (!done.saved) return at_once(monitor::result(request.id, value));
-  const std::string name = snapshot_name(call);
-  const bool is_inline = name.empty() && std::holds_alternative<call::SaveSnapshot>(call);
-  return {[id = request.id, saved = done.saved, name, is_inline, value]() mutable {
-            add_saved(*saved, name, is_inline, value);
-            return monitor::result(id, value);
-          },
-          is_large};
+  return monitor::result(request.id, value);
 }
 
 }  // namespace xr3

@@ -52,7 +52,6 @@ class JsonLines : public std::enable_shared_from_this<JsonLines>, private Messag
   bool is_done() const;
 
   void pump() override;
-  bool is_blocked() const override { return is_blocked_; }
   void prefetch(Depth depth) const override;
   bool is_one_and_small() const;
   std::size_t send_copy();

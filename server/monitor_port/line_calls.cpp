@@ -12,10 +12,6 @@
 namespace xr3 {
 namespace {
 
-// Longer answers are made in the worker. A line takes some 10 us, a byte of the replies to `send`
-// some 20 ns.
-constexpr std::size_t kMaxLinesAtOnce = 50;
-constexpr std::size_t kMaxReplyBytesAtOnce = 4096;
 // With the byte clock, the time of a piece of `send`, and of all its pieces: so long that a busy
 // machine does not decide how many bytes are taken.
 constexpr WallNs kSendPiece = 500'000;
@@ -32,50 +28,19 @@ call::Refused too_many_lines() {
           "close one by line_disconnect, or use another connection"};
 }
 
-/// A line as the call `lines` shows it.
-struct LineEntry {
-  LineId id;
-  LineKind kind;
-  std::string peer;
-  Tick opened_tick;
-  std::uint64_t bytes_in;
-  std::uint64_t bytes_acted;
-  std::uint64_t bytes_out;
-  std::uint64_t warnings;
-  RawBytes last;
-  std::optional<SerialSettings> serial;
-  std::optional<SerialSettings> speed;
-  std::optional<LineId> waits_for;
-};
-
-LineEntry entry_of(const Cell& cell, LineId id, const SerialLine& line) {
-  return {id,
-          line.kind(),
-          line.peer(),
-          line.opened_tick(),
-          line.bytes_in(),
-          line.bytes_acted(),
-          line.bytes_out(),
-          line.warnings(),
-          line.last(),
-          line.settings(),
-          cell.speed_of(line),
-          cell.line_before(id)};
-}
-
-Json line_json(const LineEntry& line) {
-  Json entry = {{"line", line.id},
-                {"kind", name_of(line.kind)},
-                {"peer", line.peer},
-                {"opened_tick", line.opened_tick},
-                {"bytes_in", line.bytes_in},
-                {"bytes_acted", line.bytes_acted},
-                {"bytes_out", line.bytes_out},
-                {"warnings", line.warnings},
-                {"last", readable(line.last.view())}};
-  if (line.serial) entry["serial"] = text_of(*line.serial);
-  if (line.speed) entry["speed"] = text_of(*line.speed);
-  if (line.waits_for) entry["waits_for"] = *line.waits_for;
+Json line_json(const Cell& cell, LineId id, const SerialLine& line) {
+  Json entry = {{"line", id},
+                {"kind", name_of(line.kind())},
+                {"peer", line.peer()},
+                {"opened_tick", line.opened_tick()},
+                {"bytes_in", line.bytes_in()},
+                {"bytes_acted", line.bytes_acted()},
+                {"bytes_out", line.bytes_out()},
+                {"warnings", line.warnings()},
+                {"last", readable(line.last().view())}};
+  if (const auto serial = line.settings()) entry["serial"] = text_of(*serial);
+  if (const auto speed = cell.speed_of(line)) entry["speed"] = text_of(*speed);
+  if (const auto before = cell.line_before(id)) entry["waits_for"] = *before;
   return entry;
 }
 
@@ -133,49 +98,37 @@ asio::awaitable<std::size_t> MonitorService::receive(HostedCell& at, LineId line
   }
 }
 
-asio::awaitable<MonitorService::Answer> MonitorService::send(HostedCell& at,
-                                                             MonitorSession& session,
-                                                             const monitor::Request& request) {
+asio::awaitable<monitor::Message> MonitorService::send(HostedCell& at, MonitorSession& session,
+                                                       const monitor::Request& request) {
   Cell& cell = at.cell();
   const auto& wanted = std::get<monitor::CallRequest>(request.what);
   const std::string& bytes = std::get<monitor::Send>(wanted.call).bytes;
-  if (cell.is_in_past()) co_return at_once(refused(request.id, Cell::in_the_past()));
+  if (cell.is_in_past()) co_return refused(request.id, Cell::in_the_past());
   if (const std::optional<LineId> current = cell.current_line();
       current && current != open_own_line(at, session))
-    co_return at_once(refused(request.id, line_waits(*current)));
+    co_return refused(request.id, line_waits(*current));
   const std::optional<LineId> line = own_line(at, session);
-  if (!line) co_return at_once(refused(request.id, too_many_lines()));
+  if (!line) co_return refused(request.id, too_many_lines());
   const std::size_t taken = co_await receive(at, *line, bytes);
-  co_await making_long_.until_free();
-  if (cell.find_line(*line) == nullptr) co_return at_once(refused(request.id, no_such_line(*line)));
-  std::string replies(cell.find_line(*line)->outbox());
+  if (cell.find_line(*line) == nullptr) co_return refused(request.id, no_such_line(*line));
+  const std::string replies(cell.find_line(*line)->outbox());
   cell.sent({*line, replies.size()});
   Json value = value_now(cell);
   value["line"] = *line;
   if (taken < bytes.size()) value["taken"] = taken;
-  const bool is_long = replies.size() > kMaxReplyBytesAtOnce;
-  co_return Answer{[id = request.id, value, replies = std::move(replies)]() mutable {
-                     value["hex"] = hexadecimal(replies);
-                     value["text"] = readable(replies);
-                     return monitor::result(id, value);
-                   },
-                   is_long};
+  value["hex"] = hexadecimal(replies);
+  value["text"] = readable(replies);
+  co_return monitor::result(request.id, value);
 }
 
-MonitorService::Answer MonitorService::list_lines(HostedCell& at, const monitor::Request& request) {
+monitor::Message MonitorService::list_lines(HostedCell& at, const monitor::Request& request) {
   Cell& cell = at.cell();
   cell.catch_up(wall_now());
-  std::vector<LineEntry> lines;
-  for (const auto& [id, line] : cell.lines()) lines.push_back(entry_of(cell, id, line));
-  const bool is_long = lines.size() > kMaxLinesAtOnce;
   Json value = value_now(cell);
   if (cell.device() != nullptr) value["device"] = device_line_json(*cell.device());
-  return {[id = request.id, value = std::move(value), lines = std::move(lines)]() mutable {
-            Json& list = value["lines"] = Json::array();
-            for (const LineEntry& line : lines) list.push_back(line_json(line));
-            return monitor::result(id, value);
-          },
-          is_long};
+  Json& lines = value["lines"] = Json::array();
+  for (const auto& [id, line] : cell.lines()) lines.push_back(line_json(cell, id, line));
+  return monitor::result(request.id, value);
 }
 
 monitor::Message MonitorService::disconnect(HostedCell& at, const monitor::Request& request) {

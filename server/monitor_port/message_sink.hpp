@@ -13,9 +13,6 @@ class MessageSink {
   /// writable.
   virtual void pump() = 0;
 
-  /// Whether the client has yet to accept bytes that were given to the connection.
-  virtual bool is_blocked() const = 0;
-
   /// Prefetches the memory that a following pump() will access at this depth.
   virtual void prefetch(Depth depth) const = 0;
 };

@@ -1,6 +1,7 @@
 // The monitor's calls on the past of a cell: `history`, `look`, `live`, `seek` and `branch`. A time
 // of the past is made in the worker, one at a time.
 #include <algorithm>
+#include <deque>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -15,7 +16,7 @@ namespace {
 
 constexpr std::size_t kMaxEpochs = 1000;
 constexpr std::size_t kMaxMarks = 500;
-constexpr std::int64_t kEventsAtOnce = 256;  ///< copied in one piece
+constexpr std::int64_t kEventsAtOnce = 64;  ///< some 5 us each
 
 call::Refused no_history(const HostedCell& at) {
   const bool has_device = at.cell().device() != nullptr;
@@ -65,19 +66,10 @@ Json mark_json(const CellEvent& event, const Model& model) {
           {"message", told.message}};
 }
 
-/// The latest notable events in the history, the oldest first.
-Json marks_json(const std::vector<CellEvent>& events, const std::vector<EpochSpan>& spans,
-                const Model& model) {
-  Json marks = Json::array();
-  const auto is_kept = [&spans](const CellEvent& event) {
-    return std::any_of(spans.begin(), spans.end(), [&event](const EpochSpan& span) {
-      return span.epoch == event.epoch && span.from <= event.tick && event.tick <= span.to;
-    });
-  };
-  for (auto event = events.rbegin(); event != events.rend() && marks.size() < kMaxMarks; ++event)
-    if (is_kept(*event) && is_notable(*event, model)) marks.push_back(mark_json(*event, model));
-  std::reverse(marks.begin(), marks.end());
-  return marks;
+bool is_kept(const CellEvent& event, const std::vector<EpochSpan>& spans) {
+  return std::any_of(spans.begin(), spans.end(), [&event](const EpochSpan& span) {
+    return span.epoch == event.epoch && span.from <= event.tick && event.tick <= span.to;
+  });
 }
 
 Json spans_json(const std::vector<EpochSpan>& spans) {
@@ -87,16 +79,21 @@ Json spans_json(const std::vector<EpochSpan>& spans) {
   return list;
 }
 
-/// Copies of the latest events, the oldest first. Others are served between pieces.
-asio::awaitable<std::vector<CellEvent>> latest_events(HostedCell& cell) {
-  std::vector<CellEvent> events;
-  const std::int64_t end = cell.cell().events().next();
-  std::int64_t seq = cell.cell().copy_events(0, kEventsAtOnce, events);
-  while (seq < end) {
-    co_await cell.transports().pause();
-    seq = cell.cell().copy_events(seq, kEventsAtOnce, events);
+/// The latest notable events in the history, the oldest first. Others are served between pieces.
+asio::awaitable<Json> latest_marks(HostedCell& at, std::vector<EpochSpan> spans) {
+  const Cell& cell = at.cell();
+  std::deque<Json> marks;
+  const std::int64_t end = at.cell().events().next();
+  for (std::int64_t seq = 0;;) {
+    std::vector<CellEvent> events;
+    seq = cell.copy_events(seq, kEventsAtOnce, events);
+    for (const CellEvent& event : events)
+      if (is_kept(event, spans) && is_notable(event, cell.model()))
+        marks.push_back(mark_json(event, cell.model()));
+    while (marks.size() > kMaxMarks) marks.pop_front();
+    if (seq >= end) co_return Json(marks);
+    co_await at.transports().pause();
   }
-  co_return events;
 }
 
 // --- A time of the past, made in the worker.
@@ -118,9 +115,8 @@ Made make(const recording::Header& header, const HistoryPart& part, const Replay
   made.machine =
       std::make_shared<const MachineSnapshot>(MachineSnapshot{cell.model_ptr(), cell.state()});
   made.time = {cell.epoch(), cell.state().tick};
-  FrameCache frames(cell.name());
+  FrameCache frames(cell);
   for (const monitor::Selection& selection : selections) {
-    frames.show(frame_source(cell, selection.channel));
     if (const monitor::Frame* frame = frames.frame(selection))
       made.frames.push_back(frame->message);
   }
@@ -167,7 +163,7 @@ asio::awaitable<void> MonitorService::call_past(CellPtr at, MonitorSession& sess
     at->acted();
     client.send(monitor::result(id, value_now(at->cell())));
   } else if (look == nullptr) {
-    client.send(open_branch(*at, *moment, id).make());
+    client.send(open_branch(*at, *moment, id));
   } else {
     client.hold_frames(at->name());
     for (const monitor::Message& frame : moment->frames) client.send(monitor::as_past(frame, id));
@@ -217,17 +213,10 @@ asio::awaitable<void> MonitorService::list_history(CellPtr at, MonitorSession& s
   value["past"] = cell.is_in_past();
   co_await listing_events_.until_free();
   const Exclusive::Hold hold(listing_events_);
-  std::vector<CellEvent> events = co_await latest_events(*at);
-  Answer answer{[id = std::move(id), value = std::move(value), spans = std::move(spans),
-                 events = std::move(events), model = cell.model_ptr()]() mutable {
-                  value["epochs"] = spans_json(spans);
-                  value["events"] = marks_json(events, spans, *model);
-                  return monitor::result(id, value);
-                },
-                true};
-  co_await making_long_.until_free();
-  monitor::Message message = co_await message_of(std::move(answer));
-  session.send(std::move(message));
+  value["epochs"] = spans_json(spans);
+  Json marks = co_await latest_marks(*at, std::move(spans));
+  value["events"] = std::move(marks);
+  session.send(monitor::result(id, value));
 }
 
 void MonitorService::end_look(HostedCell& at, MonitorSession& session,
@@ -237,16 +226,16 @@ void MonitorService::end_look(HostedCell& at, MonitorSession& session,
   at.hub().acted();
 }
 
-MonitorService::Answer MonitorService::open_branch(HostedCell& at, const Moment& moment,
-                                                   const monitor::RequestId& id) {
+monitor::Message MonitorService::open_branch(HostedCell& at, const Moment& moment,
+                                             const monitor::RequestId& id) {
   const auto opened = open_branch_(at, moment.machine);
-  if (const auto* no = std::get_if<call::Refused>(&opened)) return at_once(refused(id, *no));
+  if (const auto* no = std::get_if<call::Refused>(&opened)) return refused(id, *no);
   const CellPtr& cell = std::get<CellPtr>(opened);
   Json value = value_now(cell->cell());
   value["cell"] = cell->name();
   value["robot_port"] = cell->port()->endpoint().port();
   if (!cell->token().empty()) value["token"] = cell->token();
-  return at_once(monitor::result(id, value));
+  return monitor::result(id, value);
 }
 
 }  // namespace xr3

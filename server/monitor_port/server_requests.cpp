@@ -8,28 +8,6 @@
 #include "server/monitor_port/service.hpp"
 
 namespace xr3 {
-namespace {
-
-constexpr std::size_t kMaxCellsAtOnce = 50;
-
-/// A cell as the call `cells` shows it.
-struct CellEntry {
-  monitor::CellSummary summary;
-  std::string token;  ///< empty: none, or not for this client
-};
-
-monitor::Message cells_message(const monitor::RequestId& id, const std::vector<CellEntry>& cells) {
-  Json list = Json::array();
-  for (const CellEntry& each : cells) {
-    Json entry = monitor::summary_json(each.summary);
-    if (!each.token.empty()) entry["token"] = each.token;
-    list.push_back(std::move(entry));
-  }
-  return monitor::result(id, {{"cells", std::move(list)}});
-}
-
-}  // namespace
-
 asio::awaitable<void> MonitorService::carry_out_overview(MonitorSession& session,
                                                          monitor::Request request) {
   monitor::Client& client = session.client();
@@ -51,21 +29,17 @@ asio::awaitable<void> MonitorService::carry_out_overview(MonitorSession& session
 
 asio::awaitable<void> MonitorService::list_cells(MonitorSession& session,
                                                  monitor::Request request) {
-  std::vector<monitor::CellSummary> summaries = co_await overview_.summaries();
-  std::vector<CellEntry> entries;
-  for (monitor::CellSummary& each : summaries) {
+  const std::vector<monitor::CellSummary> summaries = co_await overview_.summaries();
+  Json list = Json::array();
+  for (const monitor::CellSummary& each : summaries) {
     const CellPtr at = cells_.find(each.name);
     if (!at || !may_see(session, *at)) continue;
+    Json entry = monitor::summary_json(each);
     const bool knows_all = session.access() == Access::kControl;
-    entries.push_back({std::move(each), knows_all ? at->token() : ""});
+    if (knows_all && !at->token().empty()) entry["token"] = at->token();
+    list.push_back(std::move(entry));
   }
-  const bool is_long = entries.size() > kMaxCellsAtOnce;
-  Answer answer{
-      [id = request.id, entries = std::move(entries)] { return cells_message(id, entries); },
-      is_long};
-  if (is_long) co_await making_long_.until_free();
-  monitor::Message message = co_await message_of(std::move(answer));
-  session.send(std::move(message));
+  session.send(monitor::result(request.id, {{"cells", std::move(list)}}));
 }
 
 /// Epoch and tick are those of the cell; null without one.

@@ -15,10 +15,16 @@ namespace {
 using monitor::Channel;
 
 constexpr int kMaxWrongTokens = 5;
-// Parsing takes some 0.2 us a byte.
-constexpr std::size_t kMaxParsedAtOnce = 4096;
+// Longer requests are parsed in the worker: a byte may take some 0.1 us.
+constexpr std::size_t kMaxParsedAtOnce = std::size_t{64} * 1024;
 
 using AllChannelStats = std::array<monitor::ChannelStats, monitor::kChannels>;
+
+/// The current frame; nullptr for an image if there is no camera.
+const monitor::Frame* current_frame(HostedCell& at, const monitor::Selection& selection) {
+  at.cell().catch_up(wall_now());
+  return at.frames().frame(selection);
+}
 
 bool is_feed(Channel channel) { return channel == Channel::kEvent || channel == Channel::kLine; }
 
@@ -116,7 +122,6 @@ MonitorService::MonitorService(asio::io_context& io, CellRegistry& cells, Worker
       wrong_tokens_(io),
       overview_(io, cells, [this] { between(); }),
       lag_(io, [this] { return cells_.has_news_to_come(); }),
-      making_long_(io),
       making_past_(io),
       listing_events_(io) {}
 
@@ -162,13 +167,6 @@ monitor::Message MonitorService::hello(MonitorSession& session) {
                               cell.clock().rate()};
   greeting.cell.emplace(monitor::GreetedCell{cell.name(), cell.model(), now});
   return monitor::hello(greeting);
-}
-
-asio::awaitable<std::optional<monitor::Frame>> MonitorService::current_frame(
-    CellPtr at, monitor::Selection selection) {
-  at->cell().catch_up(wall_now());
-  std::optional<monitor::Frame> frame = co_await at->frames().get(std::move(selection));
-  co_return frame;
 }
 
 void MonitorService::acted(HostedCell& cell) {
@@ -275,11 +273,11 @@ asio::awaitable<void> MonitorService::carry_out(MonitorSession& session, monitor
 asio::awaitable<void> MonitorService::carry_out_at(CellPtr at, MonitorSession& session,
                                                    monitor::Request request) {
   if (std::holds_alternative<monitor::Subscribe>(request.what)) {
-    co_await subscribe(std::move(at), session, std::move(request));
+    subscribe(*at, session, request);
   } else if (std::holds_alternative<monitor::Unsubscribe>(request.what)) {
     unsubscribe(*at, session, request);
   } else if (std::holds_alternative<monitor::Get>(request.what)) {
-    co_await show(std::move(at), session, std::move(request));
+    show(*at, session, request);
   } else {
     co_await call(std::move(at), session, std::move(request));
   }
@@ -309,36 +307,32 @@ asio::awaitable<void> MonitorService::authorize(MonitorSession& session, monitor
 
 // --- Channels.
 
-asio::awaitable<void> MonitorService::subscribe(CellPtr at, MonitorSession& session,
-                                                monitor::Request request) {
+void MonitorService::subscribe(HostedCell& at, MonitorSession& session,
+                               const monitor::Request& request) {
   const auto& wanted = std::get<monitor::Subscribe>(request.what);
   const Channel channel = wanted.selection.channel;
-  const bool is_new = !session.client().follows(at->name(), channel);
-  if (is_new && session.client().subscriptions() >= kMaxSubscriptions) {
-    session.send(
+  monitor::Client& client = session.client();
+  if (!client.follows(at.name(), channel) && client.subscriptions() >= kMaxSubscriptions) {
+    return session.send(
         refused(request.id,
                 {"limit", "this client has 256 subscriptions",
                  "end one by unsub, or subscribe to the channel overview, which shows all cells"}));
-    co_return;
   }
   if (is_feed(channel)) {
-    at->cell().catch_up(wall_now());
-    const std::shared_ptr<monitor::Feed> feed = feed_of(*at, channel);
+    at.cell().catch_up(wall_now());
+    const std::shared_ptr<monitor::Feed> feed = feed_of(at, channel);
     const std::int64_t next = feed->next();
     const std::int64_t since = std::clamp<std::int64_t>(wanted.since.value_or(next), 1, next);
-    session.send(monitor::result(request.id, terms(at->name(), wanted, since)));
-    session.client().follow_feed(at->name(), wanted, feed);
+    session.send(monitor::result(request.id, terms(at.name(), wanted, since)));
+    client.follow_feed(at.name(), wanted, feed);
   } else {
-    const std::optional<monitor::Frame> frame = co_await current_frame(at, wanted.selection);
-    if (at->is_retired() || !frame) {
-      session.send(at->is_retired() ? unknown_cell(session, request) : no_camera(request.id));
-      co_return;
-    }
-    session.send(monitor::result(request.id, terms(at->name(), wanted, 0)));
-    session.client().follow_frames(at->name(), wanted).offer(*frame, at->hub().now());
+    const monitor::Frame* frame = current_frame(at, wanted.selection);
+    if (frame == nullptr) return session.send(no_camera(request.id));
+    session.send(monitor::result(request.id, terms(at.name(), wanted, 0)));
+    client.follow_frames(at.name(), wanted).offer(*frame, at.hub().now());
   }
-  at->hub().add(session);
-  at->hub().acted();
+  at.hub().add(session);
+  at.hub().acted();
 }
 
 void MonitorService::unsubscribe(HostedCell& at, MonitorSession& session,
@@ -349,17 +343,17 @@ void MonitorService::unsubscribe(HostedCell& at, MonitorSession& session,
   session.send(monitor::result(request.id, Json::object()));
 }
 
-asio::awaitable<void> MonitorService::show(CellPtr at, MonitorSession& session,
-                                           monitor::Request request) {
+void MonitorService::show(HostedCell& at, MonitorSession& session,
+                          const monitor::Request& request) {
   const auto& get = std::get<monitor::Get>(request.what);
   if (is_feed(get.selection.channel)) {
-    at->cell().catch_up(wall_now());
-    session.client().replay(feed_of(*at, get.selection.channel), at->name(), get, request.id);
-    session.send(monitor::result(request.id, Json::object()));
-    co_return;
+    at.cell().catch_up(wall_now());
+    session.client().replay(feed_of(at, get.selection.channel), at.name(), get, request.id);
+    return session.send(monitor::result(request.id, Json::object()));
   }
-  const std::optional<monitor::Frame> frame = co_await current_frame(at, get.selection);
-  session.send(frame ? monitor::with_id(frame->message, request.id) : no_camera(request.id));
+  const monitor::Frame* frame = current_frame(at, get.selection);
+  session.send(frame != nullptr ? monitor::with_id(frame->message, request.id)
+                                : no_camera(request.id));
 }
 
 }  // namespace xr3

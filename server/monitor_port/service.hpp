@@ -67,10 +67,6 @@ class MonitorService {
   /// the coroutine.
   asio::awaitable<void> carry_out(MonitorSession& session, monitor::Request request);
 
-  /// The current frame of a cell; nullopt for an image if there is no camera.
-  asio::awaitable<std::optional<monitor::Frame>> current_frame(CellPtr at,
-                                                               monitor::Selection selection);
-
   /// An input of a cell has acted: shows it in the overview, and measures the event loop.
   void acted(HostedCell& cell);
   /// The server has work to do for a client: measures the event loop.
@@ -119,17 +115,9 @@ class MonitorService {
   bool may_enlarge(const call::Call& call) const;
   /// nullopt: the session has no open line at that cell.
   static std::optional<LineId> open_own_line(const HostedCell& at, MonitorSession& session);
-  asio::awaitable<void> subscribe(CellPtr at, MonitorSession& session, monitor::Request request);
-  void unsubscribe(HostedCell& at, MonitorSession& session, const monitor::Request& request);
-  asio::awaitable<void> show(CellPtr at, MonitorSession& session, monitor::Request request);
-
-  /// The answer to a call that has taken effect. `make` is pure work on copies.
-  struct Answer {
-    std::function<monitor::Message()> make;
-    bool is_long = false;  ///< to be made in the worker
-  };
-  static Answer at_once(const monitor::Message& message);
-  asio::awaitable<monitor::Message> message_of(Answer answer);
+  static void subscribe(HostedCell& at, MonitorSession& session, const monitor::Request& request);
+  static void unsubscribe(HostedCell& at, MonitorSession& session, const monitor::Request& request);
+  static void show(HostedCell& at, MonitorSession& session, const monitor::Request& request);
 
   asio::awaitable<void> call(CellPtr at, MonitorSession& session, monitor::Request request);
   struct Moment;
@@ -139,20 +127,21 @@ class MonitorService {
                                                      monitor::Request request,
                                                      std::vector<monitor::Selection> selections);
   void end_look(HostedCell& at, MonitorSession& session, const monitor::RequestId& id);
-  Answer open_branch(HostedCell& at, const Moment& moment, const monitor::RequestId& id);
+  monitor::Message open_branch(HostedCell& at, const Moment& moment, const monitor::RequestId& id);
   static asio::awaitable<std::optional<call::Refused>> wait_for(HostedCell& at,
                                                                 monitor::After after);
-  Answer carry_out_call(HostedCell& at, monitor::Request& request);
-  Answer call_cell(HostedCell& at, monitor::Request& request);
-  asio::awaitable<Answer> send(HostedCell& at, MonitorSession& session,
-                               const monitor::Request& request);
+  monitor::Message carry_out_call(HostedCell& at, monitor::Request& request);
+  monitor::Message call_cell(HostedCell& at, monitor::Request& request);
+  asio::awaitable<monitor::Message> send(HostedCell& at, MonitorSession& session,
+                                         const monitor::Request& request);
   /// Applies bytes piece by piece. Returns the number of bytes taken.
   static asio::awaitable<std::size_t> receive(HostedCell& at, LineId line, std::string_view bytes);
-  static Answer list_lines(HostedCell& at, const monitor::Request& request);
-  static Answer transcript(HostedCell& at, const monitor::Request& request);
+  static monitor::Message list_lines(HostedCell& at, const monitor::Request& request);
+  static monitor::Message transcript(HostedCell& at, const monitor::Request& request);
   static monitor::Message disconnect(HostedCell& at, const monitor::Request& request);
   static monitor::Message release_peer(HostedCell& at, const monitor::Request& request);
-  static Answer done(HostedCell& at, const monitor::Request& request, const call::Done& done);
+  static monitor::Message done(HostedCell& at, const monitor::Request& request,
+                               const call::Done& done);
 
   asio::io_context& io_;
   CellRegistry& cells_;
@@ -167,7 +156,6 @@ class MonitorService {
   std::function<void(CellCounters&)> count_more_;
   Overview overview_;
   LoopLag lag_;
-  Exclusive making_long_;     ///< an answer to a call; meanwhile calls wait
   Exclusive making_past_;     ///< a time of a cell's past; meanwhile others who look wait
   Exclusive listing_events_;  ///< for a call `history`; meanwhile other such calls wait
   OpenBranch open_branch_;

@@ -50,8 +50,6 @@ class MonitorSession {
   void send(monitor::Message message) { client_.send(std::move(message)); }
   /// Notifies the transport of output.
   void wake() { sink_.pump(); }
-  /// Whether the client has yet to accept bytes.
-  bool is_blocked() const { return sink_.is_blocked(); }
   /// Prefetches the memory, at one depth, that serving this session will access.
   void prefetch(Depth depth) const;
 

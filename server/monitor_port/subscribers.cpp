@@ -7,7 +7,6 @@
 #include <new>
 
 #include "cell/failure.hpp"
-#include "server/net/spawn.hpp"
 
 namespace xr3 {
 namespace {
@@ -17,10 +16,6 @@ constexpr WallNs kSecond = 1'000'000'000;
 // Number of sessions served, in some 25 us, before robot lines get a turn. More would be
 // noticeable; each turn costs a system call.
 constexpr std::size_t kSessionsBetween = 4;
-
-// Maximum number of selections whose frames exist at a time, apart from those of one session more.
-// With 10,000 blocks a frame has 2 MB.
-constexpr std::size_t kMaxMade = 8;
 
 // Maximum distance of two rounds while time runs, so that events caused by time (such as a stall)
 // arrive within a few hundredths of a second.
@@ -132,56 +127,20 @@ void SubscriberHub::begin_round() {
   due_ = std::numeric_limits<monitor::FrameNumber>::max();
   next_ = 0;
   frame_ = wall_frame();
-  go_on();
-}
-
-/// Serves the next sessions, or ends the round.
-void SubscriberHub::go_on() {
-  if (is_stopped_ || next_ >= sessions_.size()) return end_round();
-  std::vector<monitor::Selection> selections = select_slow_frames();
-  if (selections.empty()) return serve_some();
-  spawn_loop(io_.get_executor(), "the subscribers", make_and_serve(std::move(selections), keep_()));
-}
-
-/// The frames that the worker has to make for the next sessions, without those whose clients have
-/// yet to accept a frame. Sets share_ so that there are few, which bounds their memory.
-std::vector<monitor::Selection> SubscriberHub::select_slow_frames() {
-  share_ = kFairShare;
-  if (!frames_.is_any_slow()) return {};
-  std::vector<monitor::Selection> selections;
-  const auto select = [&, this](const monitor::FrameSubscription& subscription) {
-    const monitor::Selection& wanted = subscription.wanted().selection;
-    const bool is_new = std::find(selections.begin(), selections.end(), wanted) == selections.end();
-    if (is_new && subscription.is_due(frame_) && frames_.is_slow(wanted.channel))
-      selections.push_back(wanted);
-  };
-  const std::size_t most = std::min(kFairShare, sessions_.size() - next_);
-  for (share_ = 0; share_ < most && selections.size() < kMaxMade; ++share_) {
-    MonitorSession& session = *sessions_[next_ + share_];
-    if (!session.is_blocked()) session.client().for_each_frame_subscription(cell_.name(), select);
-  }
-  return selections;
-}
-
-// `kept` outlives the coroutine.
-asio::awaitable<void> SubscriberHub::make_and_serve(std::vector<monitor::Selection> selections,
-                                                    std::shared_ptr<void> kept) {
-  std::vector<SelectedFrame> made = co_await frames_.make(std::move(selections));
-  made_ = std::move(made);
   serve_some();
-  static_cast<void>(kept);
 }
 
+/// Serves the next sessions. Ends the round after the last one.
 void SubscriberHub::serve_some() {
-  const std::size_t end = next_ + share_;
+  if (is_stopped_) return end_round();
+  const std::size_t end = next_ + kFairShare;
   while (next_ < std::min(end, sessions_.size())) {
     prefetch();
     serve(*sessions_[next_++]);
     if (next_ % kSessionsBetween == 0) between_();
   }
-  made_.clear();
   if (next_ >= sessions_.size() || is_stopped_) return end_round();
-  asio::post(io_, [this] { go_on(); });
+  asio::post(io_, [this] { serve_some(); });
 }
 
 /// Prefetches for the next sessions: the farthest one at depth 0, each nearer one a depth more.
@@ -207,23 +166,8 @@ void SubscriberHub::serve(MonitorSession& session) {
 /// Offers the current frame. Returns whether the subscription is settled. Called only when it is
 /// due, so that no frame is encoded needlessly.
 bool SubscriberHub::offer_frame(monitor::FrameSubscription& subscription) {
-  const monitor::Selection& wanted = subscription.wanted().selection;
-  if (frames_.is_slow(wanted.channel)) return offer_made_frame(subscription);
-  return offer(subscription, frames_.at_once(wanted));
-}
-
-/// Offers the frame from the worker. A subscription that began in the meantime has none yet.
-bool SubscriberHub::offer_made_frame(monitor::FrameSubscription& subscription) {
-  const monitor::Selection& wanted = subscription.wanted().selection;
-  const auto found = std::ranges::find(made_, wanted, &SelectedFrame::first);
-  if (found == made_.end()) return false;
-  return offer(subscription, found->second ? &*found->second : nullptr);
-}
-
-/// Offers a frame, or nullptr without a camera. Returns whether the subscription is settled.
-bool SubscriberHub::offer(monitor::FrameSubscription& subscription,
-                          const monitor::Frame* frame) const {
-  if (frame == nullptr) return true;
+  const monitor::Frame* frame = frames_.frame(subscription.wanted().selection);
+  if (frame == nullptr) return true;  // no camera
   subscription.offer(*frame, frame_);
   return subscription.is_settled(*frame);
 }

@@ -1,18 +1,17 @@
 // The monitor sessions that follow a cell, and the schedule for serving them: on a grid of 1/60 s,
 // at the points where a subscription is due, only while a subscribed channel may have changed. A
-// few sessions are served at a time, so that a robot line never waits for a thousand of them. The
-// sessions of a large cell wait for the worker, which makes their frames. Without subscriptions, a
-// moving cell is advanced once a second, for the log and the rings. At rest no timer runs.
+// few sessions are served at a time, so that a robot line never waits for a thousand of them.
+// Without subscriptions, a moving cell is advanced once a second, for the log and the rings. At
+// rest no timer runs.
 #pragma once
 
 #include <cstddef>
 #include <functional>
-#include <memory>
 #include <utility>
 #include <vector>
 
 #include "cell/cell.hpp"
-#include "server/monitor_port/frame_maker.hpp"
+#include "cell/frames.hpp"
 #include "server/monitor_port/session.hpp"
 #include "server/net/asio.hpp"
 #include "server/net/wall_clock.hpp"
@@ -25,15 +24,9 @@ class SubscriberHub {
   static constexpr std::size_t kFairShare = 64;
 
   /// The references must outlive it. `between` is called after every few sessions, for work that
-  /// must not wait for all of them. `keep` returns what must exist while the worker makes frames.
-  SubscriberHub(asio::io_context& io, Cell& cell, FrameMaker& frames, std::function<void()> between,
-                std::function<std::shared_ptr<void>()> keep)
-      : io_(io),
-        timer_(io),
-        cell_(cell),
-        frames_(frames),
-        between_(std::move(between)),
-        keep_(std::move(keep)) {}
+  /// must not wait for all of them.
+  SubscriberHub(asio::io_context& io, Cell& cell, FrameCache& frames, std::function<void()> between)
+      : io_(io), timer_(io), cell_(cell), frames_(frames), between_(std::move(between)) {}
   SubscriberHub(const SubscriberHub&) = delete;
   SubscriberHub& operator=(const SubscriberHub&) = delete;
   /// Removes all sessions.
@@ -65,25 +58,18 @@ class SubscriberHub {
   void arm_frame();
   void beat();
   void begin_round();
-  void go_on();
-  std::vector<monitor::Selection> select_slow_frames();
-  asio::awaitable<void> make_and_serve(std::vector<monitor::Selection> selections,
-                                       std::shared_ptr<void> kept);
   void serve_some();
   void prefetch() const;
   void serve(MonitorSession& session);
   bool offer_frame(monitor::FrameSubscription& subscription);
-  bool offer_made_frame(monitor::FrameSubscription& subscription);
-  bool offer(monitor::FrameSubscription& subscription, const monitor::Frame* frame) const;
   void end_round();
   bool has_followers() const;
 
   asio::io_context& io_;
   asio::steady_timer timer_;
   Cell& cell_;
-  FrameMaker& frames_;
+  FrameCache& frames_;
   std::function<void()> between_;
-  std::function<std::shared_ptr<void>()> keep_;
   std::vector<MonitorSession*> sessions_;
   Wake armed_ = Wake::kNone;
   monitor::FrameNumber armed_frame_ = 0;  ///< if armed_ is kFrame
@@ -93,8 +79,6 @@ class SubscriberHub {
   bool is_settled_ = true;           ///< no session of this round waits for a later frame
   monitor::FrameNumber due_ = 0;     ///< the earliest due frame of this round's sessions
   std::size_t next_ = 0;             ///< index of the round's next session
-  std::size_t share_ = 0;            ///< number of sessions to be served next
-  std::vector<SelectedFrame> made_;  ///< by the worker, for these sessions
   monitor::FrameNumber frame_ = -1;  ///< of the last round
 };
 

@@ -16,24 +16,20 @@ Json marks_json(const TranscriptSummary& summary) {
 
 }  // namespace
 
-MonitorService::Answer MonitorService::transcript(HostedCell& at, const monitor::Request& request) {
+monitor::Message MonitorService::transcript(HostedCell& at, const monitor::Request& request) {
   Cell& cell = at.cell();
   cell.catch_up(wall_now());
   if (cell.transcript() == nullptr)
-    return at_once(refused(request.id, {"no_transcript", "only the byte clock has a transcript",
-                                        "start with --clock bytes"}));
-  const bool is_large = cell.state().blocks.size() > FrameMaker::kMaxBlocksAtOnce;
-  return {[id = request.id, summary = cell.transcript()->summary(), model = cell.model_ptr(),
-           state = cell.state(), remainder = cell.clock_remainder(),
-           value = value_now(cell)]() mutable {
-            value["sha256"] = transcript_digest(summary, *model, state, remainder);
-            value["lines"] = summary.lines;
-            value["bytes_in"] = summary.bytes_in;
-            value["bytes_out"] = summary.bytes_out;
-            value["marks"] = marks_json(summary);
-            return monitor::result(id, value);
-          },
-          is_large};
+    return refused(request.id, {"no_transcript", "only the byte clock has a transcript",
+                                "start with --clock bytes"});
+  const TranscriptSummary& summary = cell.transcript()->summary();
+  Json value = value_now(cell);
+  value["sha256"] = transcript_digest(summary, cell.model(), cell.state(), cell.clock_remainder());
+  value["lines"] = summary.lines;
+  value["bytes_in"] = summary.bytes_in;
+  value["bytes_out"] = summary.bytes_out;
+  value["marks"] = marks_json(summary);
+  return monitor::result(request.id, value);
 }
 
 }  // namespace xr3

@@ -125,7 +125,6 @@ class BeastWebsocket final : public Websocket, private MessageSink {
   asio::awaitable<void> until_there_is_room();
 
   void pump() override;
-  bool is_blocked() const override { return message_ != nullptr; }
   void prefetch(Depth depth) const override;
   void written(ErrorCode error);
   void close(ws::close_code code);

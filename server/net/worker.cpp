@@ -1,11 +1,9 @@
 #include "server/net/worker.hpp"
 
-#include <spdlog/spdlog.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
 #include <boost/asio/post.hpp>
-#include <boost/system/system_error.hpp>
 
 namespace xr3 {
 namespace {
@@ -19,22 +17,12 @@ void lower_priority() {
 
 }  // namespace
 
-bool Worker::start() {
-  if (thread_) return true;
-  try {
-    asio::post(thread_.emplace(), lower_priority);
-  } catch (const boost::system::system_error& error) {
-    spdlog::warn("long work is done in the event loop, since no thread can be started: {}",
-                 error.what());
-  }
-  return thread_.has_value();
-}
+Worker::Worker() { asio::post(thread_, lower_priority); }
 
 void Worker::stop() {
-  if (!thread_) return;
-  thread_->stop();
-  thread_->join();
-  thread_->shutdown();
+  thread_.stop();
+  thread_.join();
+  thread_.shutdown();
 }
 
 }  // namespace xr3

@@ -8,13 +8,11 @@
 #include "protocol/json/text.hpp"
 #include "protocol/monitor/model.hpp"
 #include "server/files/data_files.hpp"
-#include "server/files/png.hpp"
 #include "server/net/wall_clock.hpp"
 #include "server/options/cells.hpp"
 #include "server/resources/metrics.hpp"
 #include "server/resources/process_stats.hpp"
 #include "server/resources/web_assets.hpp"
-#include "tools/drawing/pbm.hpp"
 #include "tools/drawing/picture.hpp"
 #include "tools/drawing/svg.hpp"
 #include "tools/drawing/view_vector.hpp"
@@ -24,9 +22,6 @@ namespace {
 
 using http::Answer;
 using http::HttpRequest;
-using Revision = http::CellBodies::Revision;
-template <class Key>
-using Recipe = typename http::BodyMaker<Key>::Recipe;
 
 constexpr std::string_view kHealth = "/healthz";
 constexpr std::string_view kReady = "/readyz";
@@ -105,8 +100,7 @@ HttpResources::HttpResources(MonitorService& service, const AccessPolicy& policy
     : service_(service),
       policy_(policy),
       not_ready_(std::move(not_ready)),
-      count_(std::move(count)),
-      schema_(service.io(), service.worker()) {}
+      count_(std::move(count)) {}
 
 // --- Access.
 
@@ -261,13 +255,10 @@ asio::awaitable<Answer> HttpResources::metrics(CellPtr, HttpRequest) {
 }
 
 asio::awaitable<Answer> HttpResources::schema(CellPtr, HttpRequest) {
-  const auto read = [] {
-    return read_file(data_folder() / "schema" / "monitor-v1.schema.json").text;
-  };
   try {
-    const http::BodyMaker<bool>::Now now = [&]() -> Recipe<bool> { return {true, read}; };
-    const http::Body body = co_await schema_.get(now);
-    co_return http::json(body);
+    if (schema_.bytes().empty())
+      schema_ = read_file(data_folder() / "schema" / "monitor-v1.schema.json").text;
+    co_return http::json(schema_);
   } catch (const FileError&) {
     co_return http::not_found("the data folder has no schema");
   }
@@ -276,51 +267,29 @@ asio::awaitable<Answer> HttpResources::schema(CellPtr, HttpRequest) {
 // --- The cell.
 
 asio::awaitable<Answer> HttpResources::state(CellPtr at, HttpRequest) {
-  monitor::Selection whole{monitor::Channel::kState, {}, {}};
-  const std::optional<monitor::Frame> frame = co_await service_.current_frame(at, std::move(whole));
-  const http::Body body = co_await at->bodies().state(frame->message);
-  co_return http::json(body);
+  const monitor::Selection whole{monitor::Channel::kState, {}, {}};
+  co_return http::json(*at->frames().frame(whole)->message + "\n");
 }
 
 asio::awaitable<Answer> HttpResources::robot(CellPtr at, HttpRequest) {
-  const http::BodyMaker<const Robot*>::Now now = [at]() -> Recipe<const Robot*> {
-    const ModelPtr model = at->cell().model_ptr();
-    return {&model->robot(), [model] { return json_text(robot_to_json(model->robot())); }};
-  };
-  const http::Body body = co_await at->bodies().robot.get(now);
-  co_return http::json(body);
+  co_return http::json(json_text(robot_to_json(at->cell().model().robot())));
 }
 
 asio::awaitable<Answer> HttpResources::workcell(CellPtr at, HttpRequest) {
-  const http::BodyMaker<Revision>::Now now = [at]() -> Recipe<Revision> {
-    at->cell().catch_up(wall_now());
-    return {at->cell().revision(), [model = at->cell().model_ptr(), state = at->cell().state()] {
-              return json_text(workcell_to_json(workcell_now(*model, state)));
-            }};
-  };
-  const http::Body body = co_await at->bodies().workcell.get(now);
-  co_return http::json(body);
+  const Workcell now = workcell_now(at->cell().model(), at->cell().state());
+  co_return http::json(json_text(workcell_to_json(now)));
 }
 
 asio::awaitable<Answer> HttpResources::bitmap(CellPtr at, HttpRequest) {
-  if (!at->cell().model().workcell().camera) co_return no_camera();
-  const http::BodyMaker<ImagePtr>::Now now = [at]() -> Recipe<ImagePtr> {
-    at->cell().catch_up(wall_now());
-    const ImagePtr image = at->cell().camera_image();
-    return {image, [image] { return image ? to_pbm(*image) : ""; }};
-  };
-  const http::Body body = co_await at->bodies().bitmap.get(now);
-  co_return Answer{200, "image/x-portable-bitmap", body, {}};
+  const ImagePtr image = at->cell().camera_image();
+  if (!image) co_return no_camera();
+  co_return Answer{200, "image/x-portable-bitmap", at->pictures().bitmap(image), {}};
 }
 
 asio::awaitable<Answer> HttpResources::png(CellPtr at, HttpRequest) {
-  if (!at->cell().model().workcell().camera) co_return no_camera();
-  const http::BodyMaker<ImagePtr>::Now now = [at]() -> Recipe<ImagePtr> {
-    at->cell().catch_up(wall_now());
-    const ImagePtr image = at->cell().camera_image();
-    return {image, [image] { return image ? to_png(*image) : ""; }};
-  };
-  const http::Body body = co_await at->bodies().png.get(now);
+  const ImagePtr image = at->cell().camera_image();
+  if (!image) co_return no_camera();
+  const http::Body body = co_await at->pictures().png(image);
   co_return Answer{200, "image/png", body, {}};
 }
 
@@ -334,16 +303,9 @@ asio::awaitable<Answer> HttpResources::view(CellPtr at, HttpRequest request) {
                           "a view is three whole numbers from -9 to 9, not all 0",
                           "/view.svg?vector=1,1,1");
   }
-  const http::BodyMaker<Revision>::Now now = [at, from]() -> Recipe<Revision> {
-    at->cell().catch_up(wall_now());
-    return {at->cell().revision(),
-            [from, model = at->cell().model_ptr(), state = at->cell().state()] {
-              return to_svg(drawing(*model, state, from, kUsualPictureWidthPx));
-            }};
-  };
-  const auto maker = at->bodies().view(from);  // kept while it makes the body
-  const http::Body body = co_await maker->get(now);
-  co_return Answer{200, "image/svg+xml", body, {}};
+  const std::string svg =
+      to_svg(drawing(at->cell().model(), at->cell().state(), from, kUsualPictureWidthPx));
+  co_return Answer{200, "image/svg+xml", svg, {}};
 }
 
 }  // namespace xr3

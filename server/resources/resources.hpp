@@ -8,7 +8,7 @@
 
 #include "cell/cell.hpp"
 #include "server/http/answer.hpp"
-#include "server/http/body_maker.hpp"
+#include "server/http/body.hpp"
 #include "server/monitor_port/access.hpp"
 #include "server/monitor_port/service.hpp"
 #include "server/net/asio.hpp"
@@ -34,7 +34,8 @@ class HttpResources {
   /// The error response for a forbidden Host, Origin or method, or an invalid target; else nullopt.
   std::optional<http::Answer> refuse(const http::HttpRequest& request) const;
 
-  /// The answer to a request that refuse() accepts. Waits for the resources that the worker makes.
+  /// The answer to a request that refuse() accepts. Waits for /camera.png, which the worker makes, and
+  /// for /metrics, which advances all cells.
   asio::awaitable<http::Answer> answer(const http::HttpRequest& request);
 
   /// Whether the request asks for /healthz or /readyz.
@@ -73,7 +74,7 @@ class HttpResources {
   NotReady not_ready_;
   Count count_;
   WallNs deadline_ = kNever;
-  http::BodyMaker<bool> schema_;  ///< its bytes depend on nothing
+  http::Body schema_;  ///< empty before the first request
 };
 
 }  // namespace xr3

@@ -214,7 +214,7 @@ def on_the_line(rows):
 
 
 class OfAHundredBlocks(unittest.TestCase):
-    """A cell of more than 50 blocks: its frames are made by another thread."""
+    """A cell whose messages are long."""
 
     def setUp(self):
         self.xr3 = self.enterContext(Server("--workcell", "rhino-hundred"))

@@ -1,4 +1,4 @@
-"""A server of so many cells that the worker makes the answers about all of them."""
+"""Answers of a server of many cells about all of them."""
 # labels: release full
 
 import json
@@ -7,7 +7,7 @@ import urllib.request
 
 from support import LOCALHOST, Server
 
-CELLS = 120  # the worker makes lists of more than 50
+CELLS = 120
 
 
 class ManyCells(unittest.TestCase):

@@ -2,7 +2,6 @@
 Requests without the token need no memory."""
 # labels: release serial
 
-import contextlib
 import json
 import os
 import pathlib
@@ -85,28 +84,6 @@ class Requests(unittest.TestCase):
                 self.assertLess(took_s, MOST_S)
                 if "XR3_SHOW" in os.environ:
                     print(f"{name}: {len(line)} bytes, {(peak(xr3) - before) / MIB:.1f} MiB, {took_s * 1000:.1f} ms")
-
-
-class Answers(unittest.TestCase):
-    CLIENTS = 200
-
-    def test_many_clients_need_one_copy_of_a_large_state(self):
-        """A call's answer is made from a copy of the state, 2 MiB here, while the calls of other clients wait."""
-        workcell = json.loads(pathlib.Path(ROOT, "data/workcells/rhino-xr3.json").read_text(encoding="utf-8"))
-        block = workcell["blocks"][0]
-        workcell["blocks"] = [block | {"name": f"{number:040d}"} for number in range(256)]
-        with tempfile.TemporaryDirectory() as folder:
-            file = pathlib.Path(folder, "large.json")
-            file.write_text(json.dumps(workcell), encoding="utf-8")
-            with Server("--workcell", file) as xr3, contextlib.ExitStack() as stack:
-                clients = [stack.enter_context(xr3.monitor()) for _ in range(self.CLIENTS)]
-                clients[0].step(1, fields=[])
-                before = xr3.status("VmHWM") * 1024
-                for client in clients:
-                    client.send({"op": "call", "id": 1, "fn": "step", "args": {"ticks": 1, "fields": []}})
-                ticks = [client.read(is_whole=False)["value"]["tick"] for client in clients]
-                self.assertEqual(set(range(2, self.CLIENTS + 2)), set(ticks))
-                self.assertLess(xr3.status("VmHWM") * 1024 - before, 48 * MIB)
 
 
 class Rings(unittest.TestCase):

@@ -96,7 +96,7 @@ class State(unittest.TestCase):
 
 
 class LongAnswers(unittest.TestCase):
-    """A thread makes them, while another client changes what they show."""
+    """Another client changes what they show."""
 
     def test_of_a_large_workcell(self):
         with Server("--workcell", "rhino-hundred") as xr3, xr3.monitor() as monitor, xr3.monitor() as other:

@@ -1,0 +1,26 @@
+#include "server/http/pictures.hpp"
+
+#include <string>
+#include <utility>
+
+#include "server/files/png.hpp"
+#include "tools/drawing/pbm.hpp"
+
+namespace xr3::http {
+
+Body Pictures::bitmap(const ImagePtr& image) {
+  if (bitmap_.image != image) bitmap_ = {image, Body(to_pbm(*image))};
+  return bitmap_.body;
+}
+
+asio::awaitable<Body> Pictures::png(ImagePtr image) {
+  co_await compressing_.until_free();
+  if (png_.image != image) {
+    const Exclusive::Hold hold(compressing_);
+    std::string bytes = co_await worker_.run([image] { return to_png(*image); });
+    png_ = {std::move(image), Body(std::move(bytes))};
+  }
+  co_return png_.body;
+}
+
+}  // namespace xr3::http
