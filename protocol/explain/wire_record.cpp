@@ -31,19 +31,6 @@ void begin(WireRecord& record, Direction direction, const WirePlace& place, std:
   record.items.clear();
 }
 
-// Adds an item to be filled in place: a copy of what was written just before costs more than all
-// the rest of a short record. A new item has the first alternative already.
-template <class What>
-What& add_item(std::vector<Item>& items, std::uint64_t from, std::uint64_t to) {
-  Item& item = items.emplace_back();
-  item.from = from;
-  item.to = to;
-  if constexpr (std::is_same_v<What, std::variant_alternative_t<0, wire::Meaning>>)
-    return std::get<What>(item.what);
-  else
-    return item.what.emplace<What>();
-}
-
 // Problems that skip a single byte. They are merged, as a client may send megabytes of garbage.
 bool is_junk(const Problem& problem) {
   return problem.code == ProblemCode::kUnknownByte ||
@@ -81,9 +68,9 @@ void add_command(std::vector<Item>& items, const Exchange& exchange, const Comma
                  const Simulation& machine) {
   const auto [from, to] = std::pair(exchange.parsed.from, exchange.parsed.to);
   const MoveTaken* move = move_in(exchange);
-  auto& executed = add_item<Executed>(items, from, to);
-  executed.command = command;
+  Executed executed{.command = command};
   if (move != nullptr) executed.counter = static_cast<std::int8_t>(move->error);
+  items.push_back({from, to, executed});
   bool is_reported = false;
   for (const Event& event : exchange.events) {
     if (const auto* warning = std::get_if<Warning>(&event.body)) {
@@ -131,12 +118,6 @@ struct WithoutImage {
   }
 };
 
-void set_answer(Answered& answered, const Exchange& exchange) {
-  assert(!std::holds_alternative<NoReply>(exchange.reply));
-  answered.command = std::get<Command>(exchange.parsed.what);
-  std::visit(WithoutImage{answered.reply}, exchange.reply);
-}
-
 }  // namespace
 
 void fill_in(WireRecord& record, const WirePlace& place, std::string_view bytes,
@@ -163,7 +144,7 @@ void fill_out(WireRecord& record, const WirePlace& place, std::string_view bytes
   record.telnet.reset();
   for (const Exchange& exchange : exchanges) {
     if (exchange.reply_from == exchange.reply_to) continue;
-    set_answer(add_item<Answered>(record.items, exchange.reply_from, exchange.reply_to), exchange);
+    record.items.push_back({exchange.reply_from, exchange.reply_to, answer_of(exchange)});
   }
   if (released.empty()) return;
   record.items.insert(record.items.end(), released.begin(), released.end());
@@ -172,8 +153,10 @@ void fill_out(WireRecord& record, const WirePlace& place, std::string_view bytes
 }
 
 wire::Answered answer_of(const Exchange& exchange) {
+  assert(!std::holds_alternative<NoReply>(exchange.reply));
   Answered answered;
-  set_answer(answered, exchange);
+  answered.command = std::get<Command>(exchange.parsed.what);
+  std::visit(WithoutImage{answered.reply}, exchange.reply);
   return answered;
 }
 

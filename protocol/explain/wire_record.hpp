@@ -13,7 +13,6 @@
 
 #include "core/command.hpp"
 #include "core/event.hpp"
-#include "core/prefetch.hpp"
 #include "core/simulation.hpp"
 #include "protocol/explain/cell_event.hpp"
 #include "protocol/line/rhino_endpoint.hpp"
@@ -107,11 +106,6 @@ struct WireRecord {
   std::optional<TelnetFilter> telnet;  ///< kIn: the line's filter, if any, before the first byte
   std::vector<wire::Item> items;
 };
-
-/// For monitor::Ring, which refills old records.
-[[gnu::always_inline]] inline void prefetch_held(const WireRecord& record) {
-  prefetch(record.items.data());
-}
 
 /// Maximum number of bytes kept in a record. A longer read is split into several records, so that
 /// every received byte is kept.

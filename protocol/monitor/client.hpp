@@ -100,13 +100,6 @@ class Client {
   /// nullptr: not subscribed.
   OverviewSubscription* overview() { return overview_ ? &*overview_ : nullptr; }
 
-  /// Calls `bring(object)` with the first object that the next frame will access. `bring` may use
-  /// its address only.
-  template <class Bring>
-  void prefetch(const Bring& bring) const {
-    if (!followed_.empty()) bring(*followed_.begin());
-  }
-
   /// Statistics per channel, indexed by Channel.
   const std::array<ChannelStats, kChannels>& channel_stats() const { return channel_stats_; }
 

@@ -11,7 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include "core/prefetch.hpp"
 #include "protocol/monitor/byte_budget.hpp"
 #include "protocol/monitor/message.hpp"
 
@@ -59,10 +58,6 @@ class Ring final : public Feed, private ByteBudget::Member {
     if (!segment) segment = std::make_unique<Segment>();
     Slot& slot = (*segment)[index_of(next_++)];
     slot.text.reset();
-    // The next slots were last used a whole round ago, and have left the cache since. By the next
-    // push, the first of them will be there, so that what it points to can be prefetched.
-    if (const SegmentPtr& next = segment_of(next_)) prefetch_held((*next)[index_of(next_)].value);
-    if (const SegmentPtr& after = segment_of(next_ + 1)) prefetch(&(*after)[index_of(next_ + 1)]);
     return slot.value;
   }
 

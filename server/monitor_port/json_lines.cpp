@@ -14,8 +14,6 @@ constexpr std::size_t kMaxBatch = 16;
 constexpr std::size_t kBatchBytes = 64 * 1024;
 // Writes in one turn of the event loop: thousands of events may wait for a client.
 constexpr int kMaxWrites = 4;
-// A single message below this size is copied, together with its line end, into one buffer.
-constexpr std::size_t kMaxCopiedBytes = 4096;
 constexpr std::string_view kLineEnd = "\n";
 
 }  // namespace
@@ -100,7 +98,7 @@ void JsonLines::pump() {
   is_pumping_ = true;
   int writes = 0;
   for (fill(); !out_.empty() && socket_->is_open() && writes < kMaxWrites; fill(), ++writes) {
-    const std::size_t sent = is_one_and_small() ? send_copy() : send_gathered();
+    const std::size_t sent = send_some();
     if (sent == 0) break;
     written(sent);
   }
@@ -109,24 +107,7 @@ void JsonLines::pump() {
   progress_.cancel();
 }
 
-void JsonLines::prefetch(Depth depth) const {
-  depth == Depth::kCarried ? xr3::prefetch(socket_.get()) : socket_->prefetch();
-}
-
-// The common case, a frame for one of a thousand clients: one buffer costs half as much as two.
-bool JsonLines::is_one_and_small() const {
-  return out_.size() == 1 && written_ == 0 && out_.front()->size() < kMaxCopiedBytes;
-}
-
-std::size_t JsonLines::send_copy() {
-  std::array<char, kMaxCopiedBytes> bytes;
-  const std::size_t size = out_.front()->copy(bytes.data(), kMaxCopiedBytes);
-  bytes[size] = kLineEnd.front();
-  const asio::const_buffer buffer(bytes.data(), size + 1);
-  return socket_->send_some({&buffer, 1});
-}
-
-std::size_t JsonLines::send_gathered() {
+std::size_t JsonLines::send_some() {
   std::array<asio::const_buffer, 2 * kMaxBatch> buffers;
   std::size_t count = 0;
   std::size_t skipped = written_;

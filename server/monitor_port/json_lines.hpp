@@ -52,10 +52,7 @@ class JsonLines : public std::enable_shared_from_this<JsonLines>, private Messag
   bool is_done() const;
 
   void pump() override;
-  void prefetch(Depth depth) const override;
-  bool is_one_and_small() const;
-  std::size_t send_copy();
-  std::size_t send_gathered();
+  std::size_t send_some();
   void fill();
   void wait_for_room();
   void pump_later();

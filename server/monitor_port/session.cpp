@@ -41,13 +41,6 @@ bool MonitorSession::join(SubscriberHub& hub) {
 
 void MonitorSession::leave(SubscriberHub& hub) { std::erase(hubs_, &hub); }
 
-void MonitorSession::prefetch(Depth depth) const {
-  if (depth == Depth::kItself) return xr3::prefetch(this);
-  if (depth != Depth::kHeld) return sink_.prefetch(depth);
-  xr3::prefetch(&sink_);
-  client_.prefetch([](const auto& followed) { xr3::prefetch(&followed); });
-}
-
 void MonitorSession::end(monitor::CloseReason why) {
   client_.end(why);
   wake();

@@ -50,8 +50,6 @@ class MonitorSession {
   void send(monitor::Message message) { client_.send(std::move(message)); }
   /// Notifies the transport of output.
   void wake() { sink_.pump(); }
-  /// Prefetches the memory, at one depth, that serving this session will access.
-  void prefetch(Depth depth) const;
 
   /// The access to the server as a whole.
   Access access() const { return access_; }

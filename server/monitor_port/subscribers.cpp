@@ -135,20 +135,11 @@ void SubscriberHub::serve_some() {
   if (is_stopped_) return end_round();
   const std::size_t end = next_ + kFairShare;
   while (next_ < std::min(end, sessions_.size())) {
-    prefetch();
     serve(*sessions_[next_++]);
     if (next_ % kSessionsBetween == 0) between_();
   }
   if (next_ >= sessions_.size() || is_stopped_) return end_round();
   asio::post(io_, [this] { serve_some(); });
-}
-
-/// Prefetches for the next sessions: the farthest one at depth 0, each nearer one a depth more.
-void SubscriberHub::prefetch() const {
-  for (std::size_t depth = 0; depth < kDepths; ++depth) {
-    const std::size_t ahead = next_ + kDepths - depth;
-    if (ahead < sessions_.size()) sessions_[ahead]->prefetch(static_cast<Depth>(depth));
-  }
 }
 
 void SubscriberHub::serve(MonitorSession& session) {

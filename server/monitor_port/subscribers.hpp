@@ -59,7 +59,6 @@ class SubscriberHub {
   void beat();
   void begin_round();
   void serve_some();
-  void prefetch() const;
   void serve(MonitorSession& session);
   bool offer_frame(monitor::FrameSubscription& subscription);
   void end_round();

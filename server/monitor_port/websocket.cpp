@@ -125,7 +125,6 @@ class BeastWebsocket final : public Websocket, private MessageSink {
   asio::awaitable<void> until_there_is_room();
 
   void pump() override;
-  void prefetch(Depth depth) const override;
   void written(ErrorCode error);
   void close(ws::close_code code);
   void watch();
@@ -248,10 +247,6 @@ void BeastWebsocket::pump() {
   } else if (session_->client().has_ended()) {
     close(code_of(session_->client().close_reason()));
   }
-}
-
-void BeastWebsocket::prefetch(Depth depth) const {
-  depth == Depth::kCarried ? xr3::prefetch(socket_.get()) : socket_->prefetch();
 }
 
 void BeastWebsocket::written(ErrorCode error) {

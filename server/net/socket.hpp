@@ -13,7 +13,6 @@
 
 #include "server/net/asio.hpp"
 #include "server/net/memory_limit.hpp"
-#include "server/net/prefetch.hpp"
 
 namespace xr3 {
 
@@ -46,9 +45,6 @@ class MonitorSocket {
 
   /// For users that do their own I/O: they have received or queued so many bytes.
   void note_bytes(std::size_t bytes) const { note(limit_, bytes); }
-
-  /// Prefetches the memory that send_some() will access.
-  void prefetch() const { xr3::prefetch(socket_.get()); }
 
   /// Calls `ready` when more can be sent or the connection is lost, after at most 30 s.
   void when_writable(std::function<void()> ready);

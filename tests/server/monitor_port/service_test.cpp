@@ -30,7 +30,6 @@ AccessPolicy with_token(ReadAccess reading) {
 /// A sink without a connection: the tests read the output of the session themselves.
 struct NullSink final : MessageSink {
   void pump() override {}
-  void prefetch(Depth) const override {}
 };
 
 class MonitorServiceTest : public testing::Test {
