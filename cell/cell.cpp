@@ -64,28 +64,31 @@ Applied Cell::take_in(const Input& input, WallNs now) {
 void Cell::advance(WallNs now) {
   if (is_frozen_ || is_replayed_) return;
   if (is_moved_by_bytes()) return pass_delays();
-  const bool is_real = clock_.mode() == ClockMode::kReal;
   // Simulated time stops at the maximum integer of the protocol, after some 285,000 years.
   const Tick target = std::min(clock_.at(now), monitor::kMaxInteger);
-  const bool is_behind = pass_time(target, is_real ? kMaxDueBytes : kEveryByte);
-  for (InputLog* log : logs_) log->after_advance(*this, is_behind);
+  pass_time(target, kMaxDueBytes);
+  if (state().tick < target) clock_.set_tick(state().tick, now);
+  for (InputLog* log : logs_) log->after_advance(*this);
 }
 
-/// Returns whether bytes that were due have not acted, because too many were.
-bool Cell::pass_time(Tick target, std::size_t max_bytes) {
+void Cell::pass_time(Tick target, std::size_t max_bytes) {
   const Tick before = state().tick;
-  const Advanced advanced = advance_to(target, max_bytes);
-  if (state().tick == before && advanced.acted == 0) return advanced.is_behind;
+  const std::size_t bytes = advance_to(target, max_bytes);
+  if (state().tick == before && bytes == 0) return;
   counters_.ticks += static_cast<std::uint64_t>(state().tick - before);
   ++revision_;
   emit_time_events();
-  return advanced.is_behind || next_due_until(target);
 }
 
-void Cell::replay_to(Tick tick, std::size_t max_bytes) {
+void Cell::begin_replay() {
+  is_replayed_ = true;
+  clock_.set_tick(state().tick, 0);
+}
+
+void Cell::replay_to(Tick tick) {
+  assert(is_replayed_);
   vital("the cell", [&] {
-    is_replayed_ = true;
-    pass_time(std::min(tick, monitor::kMaxInteger), max_bytes);
+    pass_time(std::min(tick, monitor::kMaxInteger), kEveryByte);
     clock_.set_tick(state().tick, 0);
   });
 }

@@ -124,10 +124,11 @@ class Cell final : private LineListener {
   void watch(CellWatcher& watcher) { watchers_.push_back(&watcher); }
   /// No effect if it does not watch.
   void end_watch(const CellWatcher& watcher) { std::erase(watchers_, &watcher); }
-  /// For a replay: from now on time passes only by this function, to `tick`, and at most
-  /// `max_bytes` bytes that become due act. Inputs act at the current tick; their wall time must be
-  /// 0. A tick in the past means now. Throws as apply() does.
-  void replay_to(Tick tick, std::size_t max_bytes = kEveryByte);
+  /// Begins a replay: time passes by replay_to() alone. The wall time of inputs must be 0.
+  void begin_replay();
+  /// Lets time pass to `tick`, with all bytes that are due until then. A tick in the past means
+  /// now. Throws as apply() does.
+  void replay_to(Tick tick);
   /// Ends a replay: time passes by the clock again, from the current tick at `now`.
   void end_replay(WallNs now);
 
@@ -139,8 +140,6 @@ class Cell final : private LineListener {
   /// the start, as a replay: inputs that follow have the same effect as on that cell. Events and
   /// records of lines stay. Precondition: there is no device.
   void restore(const Checkpoint& checkpoint);
-  /// The number of bytes of lines that have acted, or left, because they became due.
-  std::uint64_t acts() const { return acts_; }
   /// The number of the line that was opened last; 0: none.
   LineId last_line() const { return last_line_; }
   const std::optional<LineSpeed>& line_speed() const { return line_speed_; }
@@ -197,14 +196,14 @@ class Cell final : private LineListener {
   std::optional<std::uint64_t> bytes_in(LineId line) const;
   static constexpr std::size_t kRememberedLines = 1024;
 
-  /// Maximum number of bytes of lines that act in one advance of real time. Others that are due
-  /// act in the next one, later than they should, so that no advance takes long.
+  /// An advance of real time stops after the tick in which this number of due bytes of lines is
+  /// reached, if more are due: the clock is set back to that tick, and goes on from there.
   static constexpr std::size_t kMaxDueBytes = 256;
+  /// Maximum number of due bytes of lines in a tick; further ones wait for the next tick.
+  static constexpr std::size_t kMaxTickBytes = 2048;
 
   /// Maximum number of named snapshots.
   static constexpr std::size_t kMaxSnapshots = 16;
-
-  static constexpr std::size_t kEveryByte = std::numeric_limits<std::size_t>::max();
 
   const CellCounters& counters() const { return counters_; }
 
@@ -219,12 +218,18 @@ class Cell final : private LineListener {
   SerialLine* open_line(LineId line);
   Applied take_in(const Input& input, WallNs now);
   void advance(WallNs now);
-  struct Advanced {
-    std::size_t acted;  ///< number of bytes
-    bool is_behind;     ///< more bytes were due than might act
+  /// The due bytes that were executed or sent in one tick.
+  struct DueBytes {
+    Tick tick = 0;
+    std::size_t count = 0;
+    void add(Tick now) {
+      count = now == tick ? count + 1 : 1;
+      tick = now;
+    }
   };
-  bool pass_time(Tick target, std::size_t max_bytes);
-  Advanced advance_to(Tick target, std::size_t max_bytes = kEveryByte);
+  static constexpr std::size_t kEveryByte = std::numeric_limits<std::size_t>::max();
+  void pass_time(Tick target, std::size_t max_bytes);
+  std::size_t advance_to(Tick target, std::size_t max_bytes = kEveryByte);
   void run_to_rest(Tick limit);
   void simulate_to(Tick target);
   void simulate_to_rest(Tick limit);
@@ -351,7 +356,7 @@ class Cell final : private LineListener {
   CellEventSink sink_;
   std::vector<InputLog*> logs_;
   std::vector<CellWatcher*> watchers_;
-  std::uint64_t acts_ = 0;
+  DueBytes due_bytes_;
   bool is_replayed_ = false;
   bool is_in_past_ = false;
   bool was_manual_ = false;  ///< the clock, before the cell was taken back

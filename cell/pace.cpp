@@ -1,4 +1,4 @@
-// Bytes of the lines that take time: they act, or leave, when they are due.
+// Bytes of the lines that take time: they are executed, or leave, when they are due.
 #include <algorithm>
 #include <cassert>
 
@@ -13,7 +13,8 @@ void Cell::set_line_speed(const LineSpeed& speed) {
 
 std::optional<Tick> Cell::next_due() const {
   if (agenda_.empty()) return std::nullopt;
-  return first_tick_after(agenda_.first().at);
+  const Tick due = first_tick_after(agenda_.first().at);
+  return due_bytes_.count < kMaxTickBytes ? due : std::max(due, due_bytes_.tick + 1);
 }
 
 std::optional<Tick> Cell::next_due_until(Tick limit) const {
@@ -21,21 +22,19 @@ std::optional<Tick> Cell::next_due_until(Tick limit) const {
   return due && *due <= limit ? due : std::nullopt;
 }
 
-/// Advances time; at most `max_bytes` bytes that become due act.
-Cell::Advanced Cell::advance_to(Tick target, std::size_t max_bytes) {
-  std::size_t acted = 0;
-  while (acted < max_bytes) {
-    const std::optional<Tick> due = next_due_until(target);
-    if (!due) break;
+/// Advances time to `target`, or to the end of the tick with the last of `max_bytes` bytes if
+/// another byte is due after it. Returns the number of bytes.
+std::size_t Cell::advance_to(Tick target, std::size_t max_bytes) {
+  std::size_t count = 0;
+  while (const std::optional<Tick> due = next_due_until(target)) {
+    if (count >= max_bytes && *due > state().tick) return count;
     simulate_to(*due);
     emit_time_events();
-    if (!next_due_until(target)) break;  // a fault has cut the line
-    if (next_due() > state().tick) continue;
-    if (act_due()) ++acted;
+    if (next_due() != due) continue;  // a fault has cut the line
+    if (act_due()) ++count;
   }
-  const bool is_behind = next_due_until(target).has_value();
   simulate_to(target);
-  return {acted, is_behind};
+  return count;
 }
 
 /// Advances time until nothing moves and no byte is due, but not beyond `limit`.
@@ -63,12 +62,12 @@ void Cell::simulate_to_rest(Tick limit) {
   }
 }
 
-/// The earliest byte acts. One that is late acts now: its reply does not leave before now, either.
-/// Returns false if a fault has made it due later.
+/// Executes or sends the earliest byte. The reply to one that had to wait for this tick does not
+/// leave before it. Returns false if a fault has made the byte due later.
 bool Cell::act_due() {
   const Due due = agenda_.first();
-  const bool is_late = first_tick_after(due.at) < state().tick;
-  const Micros now = is_late ? micros_at(state().tick) : due.at;
+  const bool has_waited = first_tick_after(due.at) < state().tick;
+  const Micros now = has_waited ? micros_at(state().tick) : due.at;
   SerialLine& line = *open_line(due.line);
   exchanges_.clear();
   bool has_acted = true;
@@ -81,7 +80,7 @@ bool Cell::act_due() {
   } else {
     has_acted = false;
   }
-  if (has_acted) ++acts_;
+  if (has_acted) due_bytes_.add(state().tick);
   schedule(due.line, line);
   return has_acted;
 }
@@ -158,6 +157,7 @@ std::optional<Tick> Cell::next_wake() const {
 
 /// Time has jumped: the bytes under way are due in the new epoch.
 void Cell::restart_lines() {
+  due_bytes_ = {};
   for (auto& [id, line] : lines_) {
     line.restart(micros_at(state().tick));
     schedule(id, line);

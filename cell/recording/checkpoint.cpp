@@ -6,8 +6,8 @@ namespace xr3 {
 
 Cell::Checkpoint Cell::checkpoint() const {
   assert(!device_);
-  return {model_ptr(), state(), epoch_,     model_rev_, clock_, byte_clock_, transcript_,
-          agenda_,     lines_,  last_line_, snapshots_, acts_,  is_in_past_, was_manual_};
+  return {model_ptr(), state(), epoch_,     model_rev_, clock_,     byte_clock_, transcript_,
+          agenda_,     lines_,  last_line_, snapshots_, due_bytes_, is_in_past_, was_manual_};
 }
 
 // The revision goes on, so that nobody takes the old state for the new one.
@@ -27,7 +27,7 @@ void Cell::restore(const Checkpoint& from) {
   }
   last_line_ = from.last_line;
   snapshots_ = from.snapshots;
-  acts_ = from.acts;
+  due_bytes_ = from.due_bytes;
   is_in_past_ = from.is_in_past;
   was_manual_ = from.was_manual;
   woken_.clear();

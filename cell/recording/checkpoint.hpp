@@ -22,7 +22,7 @@ struct Cell::Checkpoint {
   std::map<LineId, SerialLine> lines;
   LineId last_line = 0;
   std::map<std::string, MachineSnapshotPtr> snapshots;
-  std::uint64_t acts = 0;
+  DueBytes due_bytes;
   bool is_in_past = false;
   bool was_manual = false;
 };

@@ -25,8 +25,8 @@ class InputLog {
   virtual void sent(const Cell& /*cell*/, const BytesOut& /*out*/) {}
   /// A line has added these bytes to its outbox.
   virtual void output(const Cell& /*cell*/, LineId /*line*/, std::string_view /*bytes*/) {}
-  /// Time has advanced. `is_behind`: bytes that are due have not acted, because too many were.
-  virtual void after_advance(const Cell& /*cell*/, bool /*is_behind*/) {}
+  /// Time has advanced.
+  virtual void after_advance(const Cell& /*cell*/) {}
   /// The physical controller has not answered in time.
   virtual void expired(const Cell& /*cell*/) {}
 };

@@ -106,7 +106,7 @@ std::optional<Recorder::Read> Recorder::read_of(const Cell& cell, const BytesIn&
 void Recorder::sent(const Cell& cell, const BytesOut& out) {
   const SerialLine& line = *cell.find_line(out.line);
   if (!line.is_paced()) return;
-  if (out.count == 0 && !line.is_full() && !is_behind_) return;
+  if (out.count == 0 && !line.is_full()) return;
   add(now(cell), LineUnsent{out.line, line.outbox().size() - out.count});
 }
 
@@ -126,13 +126,6 @@ void Recorder::output(const Cell& cell, LineId line, std::string_view bytes) {
     run->bytes += piece;
     bytes.remove_prefix(piece.size());
   }
-}
-
-// While bytes are late, it matters how many have acted before each input.
-void Recorder::after_advance(const Cell& cell, bool is_behind) {
-  if (is_behind || is_behind_) add(now(cell), Late{cell.acts(), is_behind});
-  is_behind_ = is_behind;
-  add_outputs();
 }
 
 void Recorder::expired(const Cell& cell) { add(now(cell), DeviceSilent{}); }

@@ -35,9 +35,6 @@ class Recorder : public InputLog {
   explicit Recorder(Sink sink, Contents contents = Contents::kAll)
       : sink_(std::move(sink)), contents_(contents) {}
 
-  /// Whether bytes that are due have not acted yet: no moment for a checkpoint.
-  bool is_behind() const { return is_behind_; }
-
   /// The last entry: the recording ends at the cell's current tick.
   recording::Entry end_of(const Cell& cell, std::string why);
 
@@ -45,7 +42,7 @@ class Recorder : public InputLog {
   void end(const Cell& cell, const Input& input, const Applied& applied) override;
   void sent(const Cell& cell, const BytesOut& out) override;
   void output(const Cell& cell, LineId line, std::string_view bytes) override;
-  void after_advance(const Cell& cell, bool is_behind) override;
+  void after_advance(const Cell& /*cell*/) override { add_outputs(); }
   void expired(const Cell& cell) override;
 
  protected:
@@ -80,7 +77,6 @@ class Recorder : public InputLog {
   Contents contents_;
   StateHasher hasher_;
   At hashed_{0, 0, 0};
-  bool is_behind_ = false;
   At input_at_;                            ///< of the input that acts
   std::size_t unsent_ = 0;                 ///< of its line, before it
   bool is_first_ = false;                  ///< it is the first read of its line

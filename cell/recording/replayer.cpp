@@ -41,7 +41,7 @@ void prepare_replay(Cell& cell, const recording::Header& header) {
 
 Replayer::Replayer(Cell& cell, Compared compared) : cell_(cell), compared_(compared) {
   cell_.add_log(*this);
-  cell_.replay_to(cell_.state().tick, 0);
+  cell_.begin_replay();
 }
 
 Replayer::~Replayer() { cell_.remove_log(*this); }
@@ -115,7 +115,6 @@ struct Replayer::Applier {
     return end.hash.empty() ? std::nullopt : replayer.compare_hash(end.hash);
   }
   Result operator()(const DeviceSilent&) const { return std::nullopt; }  // time has passed
-  Result operator()(const Late&) const { return std::nullopt; }          // likewise
   Result operator()(const Replies& replies) const {
     return replayer.compare_replies(replies.line, entry.tick, replies.bytes);
   }
@@ -163,7 +162,7 @@ Replayer::Result Replayer::carry_on(const recording::Entry& entry) {
                       std::to_string(cell_.clock_remainder()));
   const auto* end = std::get_if<End>(&entry.body);
   const bool is_cut = end != nullptr && end->hash.empty();  // replies may be missing
-  if (!is_output && !is_cut && !std::holds_alternative<Late>(entry.body)) {
+  if (!is_output && !is_cut) {
     if (auto other = refuse_other_replies()) return other;
   }
   return std::visit(Applier{*this, entry}, entry.body);
@@ -197,22 +196,13 @@ Replayer::Result Replayer::pass_to(const recording::Entry& entry) {
   if (entry.epoch != cell_.epoch())
     return difference("epoch", std::to_string(entry.epoch), std::to_string(cell_.epoch()));
   const Tick tick = cell_.state().tick;
-  const auto* late = std::get_if<Late>(&entry.body);
-  const bool may_pass =
-      cell_.clock().mode() == ClockMode::kReal && (late != nullptr || !is_behind_);
+  const bool may_pass = cell_.clock().mode() == ClockMode::kReal;
   if (entry.tick < tick || (entry.tick > tick && !may_pass))
     return difference("time", "tick " + std::to_string(entry.tick), "tick " + std::to_string(tick));
-  if (late == nullptr) {
-    if (!is_behind_) pass(entry.tick);
-    return std::nullopt;
-  }
-  if (late->acts >= cell_.acts()) cell_.replay_to(entry.tick, late->acts - cell_.acts());
-  is_behind_ = late->is_behind;
-  if (cell_.acts() == late->acts) return std::nullopt;
-  return difference("paced bytes that have acted", number(late->acts), number(cell_.acts()));
+  pass(entry.tick);
+  return std::nullopt;
 }
 
-/// Time passes in a replay that is not behind.
 void Replayer::pass(Tick tick) {
   while (every_ > 0 && next_sample_.epoch == cell_.epoch() && next_sample_.tick <= tick) {
     cell_.replay_to(next_sample_.tick);
@@ -228,7 +218,7 @@ void Replayer::sample() {
 }
 
 void Replayer::run_to_stop() {
-  if (!stop_ || stop_->epoch != cell_.epoch() || is_behind_) return;
+  if (!stop_ || stop_->epoch != cell_.epoch()) return;
   if (cell_.clock().mode() == ClockMode::kReal) pass(std::max(stop_->tick, cell_.state().tick));
 }
 

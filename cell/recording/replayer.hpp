@@ -30,8 +30,7 @@ enum class Compared : std::uint8_t { kAll, kReplies, kNothing };
 
 class Replayer : private InputLog {
  public:
-  /// `cell` must be prepared, or restored from a checkpoint after which no byte was late, and
-  /// outlive the replayer.
+  /// `cell` must be prepared, or restored from a checkpoint, and outlive the replayer.
   Replayer(Cell& cell, Compared compared);
   ~Replayer() override;
 
@@ -82,7 +81,6 @@ class Replayer : private InputLog {
   Cell& cell_;
   Compared compared_;
   StateHasher hasher_;
-  bool is_behind_ = false;
   bool is_stopped_ = false;
   std::uint64_t inputs_ = 0;
   std::optional<ReplayTime> stop_;

@@ -94,13 +94,6 @@ struct DeviceInput {
 /// The device has not answered in time.
 struct DeviceSilent {};
 
-/// More bytes of paced lines were due than act in one advance of real time. Time went on to this
-/// tick when `acts` bytes had acted since the start.
-struct Late {
-  std::uint64_t acts = 0;
-  bool is_behind = false;  ///< bytes that are due have not acted yet
-};
-
 /// A line has added bytes to its outbox at this tick. For comparison.
 struct Replies {
   LineId line = 0;
@@ -120,7 +113,7 @@ struct End {
 
 using EntryBody = std::variant<LineBegin, LineSettings, LineInput, LineUnsent, InputEnded,
                                LineSilent, LineClosed, CallMade, Rewound, DeviceOpened, DeviceLost,
-                               DeviceInput, DeviceOut, DeviceSilent, Late, Replies, StateHash, End>;
+                               DeviceInput, DeviceOut, DeviceSilent, Replies, StateHash, End>;
 
 struct Entry {
   Epoch epoch = 0;

@@ -91,10 +91,6 @@ struct EntryWriter {
   void operator()(const DeviceInput& input) const { append_bytes(json, "device_in", input.bytes); }
   void operator()(const DeviceOut& sent) const { append(json, "device_out", sent.count); }
   void operator()(const DeviceSilent&) const { append_bytes(json, "device", "silent"); }
-  void operator()(const Late& late) const {
-    append(json, "acted", late.acts);
-    append_flag(json, "behind", late.is_behind);
-  }
   void operator()(const Replies& replies) const {
     append(json, "line", replies.line);
     append_bytes(json, "out", replies.bytes);

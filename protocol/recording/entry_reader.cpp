@@ -45,8 +45,6 @@ struct Raw {
   std::optional<std::string> why;
   std::optional<std::string> device_in;
   std::optional<std::size_t> device_out;
-  std::optional<std::uint64_t> acted;
-  std::optional<bool> behind;
   std::optional<std::string> hash;
   std::optional<std::string> end;
   JsonValue call;
@@ -116,8 +114,6 @@ const Members<Raw>& raw_members() {
       optional("why", &Raw::why, byte_text(kMaxText)),
       optional("device_in", &Raw::device_in, byte_text(kMaxBytes)),
       optional("device_out", &Raw::device_out, integer<std::size_t>(1, kMost)),
-      optional("acted", &Raw::acted, integer<std::uint64_t>(0, kMost)),
-      optional("behind", &Raw::behind, boolean()),
       optional("hash", &Raw::hash, text(1, kMaxText)),
       optional("end", &Raw::end, text(1, kMaxText)),
       raw_member("call", &Raw::call),
@@ -208,7 +204,6 @@ MaybeBody make_silence(Raw& raw, Reading&) { return LineSilent{*raw.line}; }
 MaybeBody make_line_end(Raw& raw, Reading&) { return LineClosed{*raw.line, *raw.close}; }
 MaybeBody make_device_input(Raw& raw, Reading&) { return DeviceInput{*std::move(raw.device_in)}; }
 MaybeBody make_device_sent(Raw& raw, Reading&) { return DeviceOut{*raw.device_out}; }
-MaybeBody make_late(Raw& raw, Reading&) { return Late{*raw.acted, *raw.behind}; }
 MaybeBody make_end(Raw& raw, Reading&) {
   return End{std::move(raw.hash).value_or(""), *std::move(raw.end)};
 }
@@ -232,7 +227,6 @@ const std::vector<EntryForm>& entry_forms() {
       {"device", {"device"}, {"why"}, make_device},
       {"device_in", {"device_in"}, {}, make_device_input},
       {"device_out", {"device_out"}, {}, make_device_sent},
-      {"acted", {"acted", "behind"}, {}, make_late},
       {"end", {"end"}, {"hash"}, make_end},
       {"hash", {"hash"}, {}, make_hash}};
   return forms;
@@ -269,10 +263,22 @@ std::string form_names() {
   return "one of the members " + quoted_names(names);
 }
 
+/// Reports an entry that only version 0.1 wrote: it executed bytes of lines after they were due.
+bool has_late_bytes(Reading& reading) {
+  const JsonValue acted = reading.root().find("acted");
+  if (!acted) return false;
+  reading.refuse(
+      "/acted", shown(acted),
+      "no entry \"acted\": bytes of lines are never executed late; replay this recording "
+      "with the version of xr3 in its first line, \"program\"");
+  return true;
+}
+
 }  // namespace
 
 std::optional<Entry> read_entry(Reading& reading, Epoch epoch) {
   Raw raw;
+  if (has_late_bytes(reading)) return std::nullopt;
   if (!read_object(Place{reading, reading.root()}, raw_members(), raw)) return std::nullopt;
   const EntryForm* form = form_of(reading.root());
   if (form == nullptr) {

@@ -264,18 +264,41 @@ TEST(PacedCell, RecordsCommandsWhenTheyAct) {
                                     {70, "out", "#"}}));
 }
 
-TEST(PacedCell, TheRealClockBoundsTheBytesOfOneAdvance) {
-  Paced lab("1000000-8n1", SimClock::real(Rate{}, 0));
+TEST(PacedCell, AnAdvanceOfRealTimeStopsAfterManyDueBytes) {
+  Paced lab("1000000-8n1", SimClock::real(Rate{}, 0));  // 100 bytes a tick and direction
   const LineId line = lab.open(LineKind::kPty);
   lab.cell.apply(BytesIn{line, std::string(4000, 'I')}, 0);
   lab.cell.catch_up(1000 * kPacedMs);
-  EXPECT_EQ(lab.cell.state().tick, 1000);
-  const std::uint64_t acted = lab.cell.find_line(line)->bytes_acted();
-  EXPECT_LE(acted, Cell::kMaxDueBytes);
-  EXPECT_GE(acted, Cell::kMaxDueBytes / 2);
-  EXPECT_LE(lab.cell.next_due(), 1000);
-  for (int i = 0; i < 100; ++i) lab.cell.catch_up(1000 * kPacedMs);
+  EXPECT_EQ(lab.cell.state().tick, 2);
+  EXPECT_EQ(lab.cell.find_line(line)->bytes_acted(), 200U) << "all that are due";
+  EXPECT_EQ(lab.cell.next_due(), 3);
+  EXPECT_EQ(lab.cell.clock().at(1000 * kPacedMs), 2) << "the clock goes on from there";
+  EXPECT_EQ(lab.cell.clock().when(3), 1001 * kPacedMs);
+  lab.cell.catch_up(1010 * kPacedMs);
+  EXPECT_EQ(lab.cell.state().tick, 4);
+  for (int ms = 1020; ms < 2020; ms += 10) lab.cell.catch_up(ms * kPacedMs);
   EXPECT_EQ(lab.cell.find_line(line)->outbox().size(), 4000U);
+  lab.cell.catch_up(5000 * kPacedMs);
+  EXPECT_GT(lab.cell.state().tick, 3000) << "few bytes do not stop it";
+}
+
+TEST(PacedCell, ATickHasABoundedNumberOfDueBytes) {
+  Paced lab("4000000000-8n1");
+  const LineId line = lab.open(LineKind::kPty);
+  lab.send(line, std::string(4000, 'I'));
+  lab.step(0);
+  EXPECT_EQ(lab.cell.find_line(line)->outbox().size(), 0U);
+  lab.step(1);
+  const auto acted = [&] { return lab.cell.find_line(line)->bytes_acted(); };
+  EXPECT_EQ(acted() + lab.take(line).size(), Cell::kMaxTickBytes);
+  EXPECT_EQ(lab.cell.next_due(), 2);
+  lab.step(3);
+  EXPECT_EQ(acted(), 4000U);
+  EXPECT_EQ(lab.cell.next_due(), std::nullopt);
+  lab.apply(call::Reset{});
+  lab.send(line, "E?");
+  lab.step(1);
+  EXPECT_EQ(lab.take(line), " ") << "a new epoch begins anew";
 }
 
 /// A script of sends and steps, whose result must not depend on how time is cut into steps.

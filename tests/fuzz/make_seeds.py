@@ -150,8 +150,7 @@ def recordings():
                {"tick": 10_001, "hash": "sha256:0"}, {"tick": 10_001, "line": 1, "input_ended": True},
                {"tick": 10_002, "line": 1, "close": "client_closed"}, {"tick": 10_002, "end": "limit"}]
     yield "session", 0, session
-    yield "paced", 2, [opened, {"tick": 0, "line": 1, "in": "E?" * 200}, {"tick": 3, "acted": 2, "behind": True},
-                       {"tick": 9, "acted": 5, "behind": False}, {"tick": 12, "line": 1, "out": " "}]
+    yield "paced", 2, [opened, {"tick": 0, "line": 1, "in": "E?" * 200}, {"tick": 12, "line": 1, "out": " "}]
     yield "device", 4, [{"tick": 0, "device": "opened"}, opened, {"tick": 1, "line": 1, "in": "A@E?"},
                         {"tick": 2, "device_out": 2}, {"tick": 4, "device_in": "%"}, {"tick": 600, "device": "silent"},
                         {"tick": 700, "device": "lost", "why": "unplugged"}]

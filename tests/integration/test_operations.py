@@ -36,7 +36,8 @@ unread replies of a line | cell/serial_line.hpp | kFullOutbox | 1024
 replies that an RFC 2217 client has suspended | cell/serial_line.hpp | kFullOutbox | 1024
 replies that `step` and `run_until` wait for, per line | server/lines/session.hpp | kMaxAnswered | 1048576
 bytes of a line that have not acted yet | cell/line_pace.hpp | kMaxInput
-bytes of all lines that act in one advance of real time | cell/cell.hpp | kMaxDueBytes
+bytes of all lines of a robot that are due in one advance of real time | cell/cell.hpp | kMaxDueBytes
+bytes of all lines of a robot that are due in one millisecond | cell/cell.hpp | kMaxTickBytes
 time before an inquiry (`--clock bytes`) | protocol/line/byte_clock_settings.hpp | kMaxInquiryMs | 1000
 a run to rest (`--clock bytes`) | cell/cell.hpp | kMaxSleep
 a `send`, or the bytes before a `step` (`--clock bytes`) | server/monitor_port/line_calls.cpp | kMaxSendTime | 1000000000

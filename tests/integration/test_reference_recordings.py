@@ -45,6 +45,11 @@ def lines_of(file):
     return header, entries
 
 
+def is_refused(file):
+    """Whether bytes were executed late, which no later version does."""
+    return file.name.startswith("behind-")
+
+
 def is_input(entry):
     return not INPUTS.isdisjoint(entry) or entry.get("device") in ("opened", "lost")
 
@@ -92,6 +97,10 @@ class ReferenceRecordings(unittest.TestCase):
         for file in sorted(FOLDER.glob("*/*.xr3rec")):
             with self.subTest(str(file.relative_to(FOLDER))):
                 done = run_xr3("replay", file)
+                if is_refused(file):
+                    self.assertEqual(2, done.returncode)
+                    self.assertRegex(done.stderr, r'behind-line-speed\.xr3rec:16: /acted: .*no entry "acted": .*replay')
+                    continue
                 self.assertEqual(0, done.returncode, done.stderr)
                 summary = re.search(SUMMARY, done.stderr)
                 self.assertTrue(summary, done.stderr)
@@ -111,7 +120,7 @@ class ReferenceRecordings(unittest.TestCase):
     def test_late_bytes_are_in_files_of_their_own(self):
         for file in sorted(FOLDER.glob("*/*.xr3rec")):
             _, entries = lines_of(file)
-            self.assertEqual(file.name.startswith("behind-"), any("behind" in entry for entry in entries), file)
+            self.assertEqual(is_refused(file), any("behind" in entry for entry in entries), file)
 
     def test_they_name_no_folder_of_the_machine(self):
         for file in sorted(FOLDER.glob("*/*.xr3rec")):

@@ -34,7 +34,7 @@ class States : public InputLog {
 
  private:
   void end(const Cell& cell, const Input&, const Applied&) override { note(cell); }
-  void after_advance(const Cell& cell, bool) override { note(cell); }
+  void after_advance(const Cell& cell) override { note(cell); }
 
   void note(const Cell& cell) { all[{cell.epoch(), cell.state().tick}] = cell.state(); }
 

@@ -38,8 +38,6 @@ std::vector<EntryBody> all_bodies() {
       DeviceInput{"%"},
       DeviceOut{2},
       DeviceSilent{},
-      Late{123, true},
-      Late{124, false},
       Replies{1, every_byte()},
       StateHash{"sha256:12"},
       End{"sha256:12", "stopped"},
@@ -83,6 +81,16 @@ TEST(RecordedEntry, TheEpochIsWrittenWhenItChanges) {
   EXPECT_EQ(members_of(entry, 4).find("epoch"), std::string::npos);
   EXPECT_NE(members_of(entry, 3).find(R"("epoch":4)"), std::string::npos);
   EXPECT_EQ(read_text(members_of(entry, 4) + "}", nullptr, 4)->epoch, 4);
+}
+
+TEST(RecordedEntry, LateBytesOfVersion01AreRefused) {
+  Findings findings;
+  EXPECT_FALSE(read_text(R"({"tick":10,"acted":394,"behind":true,"c":"2LV-"})", &findings));
+  ASSERT_EQ(findings.size(), 1U);
+  EXPECT_EQ(findings[0].pointer, "/acted");
+  EXPECT_EQ(findings[0].found, "394");
+  EXPECT_EQ(findings[0].allowed.find("no entry \"acted\": "), 0U) << findings[0].allowed;
+  EXPECT_NE(findings[0].allowed.find("replay"), std::string::npos);
 }
 
 TEST(RecordedEntry, OtherMembersAndValuesAreRefusedWithTheirPointer) {
