@@ -62,20 +62,6 @@ std::size_t bytes_of(const HistoryPart& part, const HistoryPart* neighbour) {
          (has_path ? heap_of(state.tip_path) : 0);
 }
 
-void append(HistoryPart& first, const HistoryPart& second) {
-  first.moved += second.moved;
-  second.inputs.for_each([&](const recording::Entry& entry) {
-    first.inputs.add(recording::Entry(entry));
-    return true;
-  });
-}
-
-bool may_join(const HistoryPart& first, const HistoryPart& second) {
-  return first.from().epoch == second.from().epoch &&
-         first.moved + second.moved <= History::kJoinedTicks &&
-         first.inputs.size() + second.inputs.size() <= History::kJoinedInputs;
-}
-
 std::shared_ptr<HistoryPart> cut(const HistoryPart& part, const ReplayTime& end) {
   auto rest = std::make_shared<HistoryPart>(part);
   rest->inputs = {};
@@ -107,7 +93,7 @@ History::~History() {
 
 std::vector<EpochSpan> History::epochs() const {
   std::vector<EpochSpan> all(epochs_.begin(), epochs_.end());
-  if (!all.empty() && retry_in_ == 0) all.back().to = cell_.state().tick;
+  if (!all.empty()) all.back().to = cell_.state().tick;
   return all;
 }
 
@@ -134,7 +120,8 @@ HistoryPartPtr History::part_before(const ReplayTime& time) const {
 void History::begin(const Cell& cell, const Input& input) {
   before_ = now();
   if (before_ != last_) note_motion();  // else nothing has moved since the last input
-  if (is_checkpoint_due() && !is_behind()) try_part();
+  if (retry_in_ > 0) --retry_in_;
+  if (is_checkpoint_due()) begin_part();
   Recorder::begin(cell, input);
 }
 
@@ -156,7 +143,7 @@ void History::end(const Cell& cell, const Input& input, const Applied& applied) 
 
 template <class Entry>
 void History::add(Entry&& entry) {
-  if (parts_.empty() || retry_in_ > 0) return;  // there is a gap
+  if (parts_.empty()) return;  // memory is short
   InputTape& inputs = parts_.back()->inputs;
   used_ -= inputs.bytes();
   inputs.add(std::forward<Entry>(entry));
@@ -176,51 +163,31 @@ void History::note_motion() {
 // --- Parts and epochs.
 
 bool History::is_checkpoint_due() const {
-  if (parts_.empty() || retry_in_ > 0) return true;
+  if (parts_.empty()) return retry_in_ == 0;
   const HistoryPart& part = *parts_.back();
   return part.from().epoch != cell_.epoch() || part.moved >= kMovedTicks ||
          part.inputs.size() >= kInputs || part.inputs.bytes() >= kInputBytes;
 }
 
-void History::try_part() {
-  if (retry_in_ > 1) return void(--retry_in_);
-  if (bytes_of(cell_.lines()) <= kMaxQueues) return begin_part();
-  // Nothing is kept for a while. The last span ends here.
-  if (!epochs_.empty() && retry_in_ == 0) epochs_.back().to = cell_.state().tick;
-  retry_in_ = kRetryInputs;
-}
-
 void History::begin_part() {
+  const std::size_t line_bytes = bytes_of(cell_.lines());
+  if (line_bytes > kMaxQueues) return give_up();
   auto part = std::make_shared<HistoryPart>();
   part->start = cell_.checkpoint();
   if (!parts_.empty()) share_equal(parts_.back()->start.state, part->start.state);
-  part->fixed_bytes = sizeof(HistoryPart) + bytes_of(part->start.lines);
-  const bool is_gap = std::exchange(retry_in_, 0) > 0;
-  if (epochs_.empty() || is_gap) epochs_.push_back({cell_.epoch(), cell_.state().tick, 0});
+  part->fixed_bytes = sizeof(HistoryPart) + line_bytes;
+  if (epochs_.empty()) epochs_.push_back({cell_.epoch(), cell_.state().tick, 0});
   used_ += bytes_of(*part, parts_.empty() ? nullptr : parts_.back().get());
   if (!parts_.empty()) used_ += bytes_left(parts_.back()->start, part->start);
   parts_.push_back(std::move(part));
-  limit_parts();
-  while (parts_.size() > 1 && covered_from(parts_[1]->from()) >= longest_) drop_oldest();
-}
-
-/// Joins parts, or drops the oldest. The search for parts to join takes long. It may find none:
-/// parts of different epochs cannot be joined. The next search then comes after kJoinsAtOnce new
-/// parts.
-void History::limit_parts() {
-  if (parts_.size() <= kMaxParts) return;
-  if (join_in_ > 0) {
-    --join_in_;
-  } else {
-    join_dense(kJoinsAtOnce);
-    if (parts_.size() > kMaxParts) join_in_ = kJoinsAtOnce;
-  }
-  while (parts_.size() > kMaxParts) drop_oldest();
+  while (parts_.size() > kMaxParts ||
+         (parts_.size() > 1 && covered_from(parts_[1]->from()) >= longest_))
+    drop_oldest();
 }
 
 /// If an input has begun an epoch, the one before ended at `before`.
 void History::note_epoch(const ReplayTime& before) {
-  if (epochs_.empty() || retry_in_ > 0 || before.epoch == cell_.epoch()) return;
+  if (epochs_.empty() || before.epoch == cell_.epoch()) return;
   epochs_.back().to = before.tick;
   epochs_.push_back({cell_.epoch(), cell_.state().tick, 0});
 }
@@ -237,7 +204,7 @@ void History::go_back(const ReplayTime& from) {
     recount();
   }
   back_at_ = target;
-  try_part();
+  begin_part();
 }
 
 void History::drop_future() {
@@ -267,16 +234,12 @@ void History::settle() {
     return;
   }
   while (used_ > granted_ && parts_.size() > 1) drop_oldest();
-  if (used_ <= granted_) return;
-  forget();  // one part is more than its share
-  retry_in_ = kRetryInputs;
+  if (used_ > granted_) give_up();
 }
 
 void History::shrink() {
-  const std::size_t wanted = granted_ / 2;
-  join_dense(parts_.size());
-  while (used_ > wanted) drop_oldest();
-  granted_ = wanted;
+  parts_.size() > 1 ? drop_oldest() : forget();
+  granted_ = used_;
 }
 
 /// Counts shared parts once.
@@ -300,8 +263,9 @@ Tick History::covered_from(const ReplayTime& begin) const {
   return covered;
 }
 
+/// Precondition: there are several parts.
 void History::drop_oldest() {
-  if (parts_.size() <= 1) return forget();
+  assert(parts_.size() > 1);
   used_ -= bytes_of(*parts_[0], parts_[1].get()) + bytes_left(parts_[0]->start, parts_[1]->start);
   parts_.pop_front();
   const ReplayTime from = parts_.front()->from();
@@ -310,31 +274,16 @@ void History::drop_oldest() {
   epochs_.front().from = std::max(epochs_.front().from, from.tick);
 }
 
-/// Joins adjacent parts with few inputs, the oldest first, at most so many pairs. The last part
-/// stays as it is. Others may use the parts, so a copy is made of each that grows.
-void History::join_dense(std::size_t pairs) {
-  std::deque<Part> kept;
-  bool is_copy = false;
-  for (std::size_t i = 0; i < parts_.size(); ++i) {
-    const bool is_last = i + 1 == parts_.size();
-    if (kept.empty() || is_last || pairs == 0 || !may_join(*kept.back(), *parts_[i])) {
-      kept.push_back(parts_[i]);
-      is_copy = false;
-      continue;
-    }
-    if (!std::exchange(is_copy, true)) kept.back() = std::make_shared<HistoryPart>(*kept.back());
-    append(*kept.back(), *parts_[i]);
-    --pairs;
-  }
-  parts_ = std::move(kept);
-  recount();
-}
-
 void History::forget() {
   parts_.clear();
   epochs_.clear();
   back_at_.reset();
   used_ = 0;
+}
+
+void History::give_up() {
+  forget();
+  retry_in_ = kRetryInputs;
 }
 
 }  // namespace xr3

@@ -1,7 +1,8 @@
-// The past of a cell, from which each of its moments can be made again: checkpoints, and the inputs
-// after each. A checkpoint is taken before an input, after some motion or many inputs, so nothing
-// wakes an idle cell, and no moment is far from a checkpoint. Blocks and paths that have not
-// changed are shared. Without I/O and wall time.
+// The past of a cell, from which each of its moments can be made again: a ring of checkpoints, and
+// the inputs after each. A checkpoint is taken before an input, after some motion or many inputs,
+// so nothing wakes an idle cell, and no moment is far from a checkpoint. The oldest checkpoint is
+// dropped if there are too many, or memory is short. Blocks and paths that have not changed are
+// shared. Without I/O and wall time.
 #pragma once
 
 #include <cstddef>
@@ -41,18 +42,12 @@ class History final : private Recorder, private monitor::ByteBudget::Member {
   static constexpr Tick kMovedTicks = 10 * kTickHz;
   static constexpr std::size_t kInputs = 4096;
   static constexpr std::size_t kInputBytes = std::size_t{512} * 1024;
-  /// A checkpoint with more bytes in the queues of its lines is not taken: the history has a gap
-  /// until they are shorter. Whether they are is looked at after so many inputs.
-  static constexpr std::size_t kMaxQueues = std::size_t{2} * 1024 * 1024;
+  /// Maximum number of checkpoints: an hour of motion.
+  static constexpr std::size_t kMaxParts = 360;
+  /// While the queues of the lines have more bytes, or one part is more than the budget gives, no
+  /// history is kept. It begins anew after kRetryInputs if it can.
+  static constexpr std::size_t kMaxQueues = std::size_t{16} * 1024 * 1024;
   static constexpr std::size_t kRetryInputs = 256;
-  /// When memory is short, or there are too many parts, parts are joined up to these limits, which
-  /// bound the work; then the oldest are dropped.
-  static constexpr std::size_t kMaxParts = 2048;
-  static constexpr Tick kJoinedTicks = 4 * kMovedTicks;
-  static constexpr std::size_t kJoinedInputs = 256;
-  /// Maximum number of pairs that are joined at once when there are too many parts. If none can be
-  /// joined, the history tries again after so many further parts.
-  static constexpr std::size_t kJoinsAtOnce = 256;
 
   /// Keeps the past `longest` ticks of the cell from now on, within a budget that all histories
   /// share. Preconditions: longest > 0, and the cell has no device. Cell and budget must outlive
@@ -62,9 +57,9 @@ class History final : private Recorder, private monitor::ByteBudget::Member {
   History& operator=(const History&) = delete;
   ~History() override;
 
-  /// The times that can be made again, the oldest first; empty before the first input. An epoch
-  /// with a gap has several. While the cell is in the past, they include the future to which it may
-  /// still return.
+  /// The times that can be made again, the oldest first, one span for each epoch; empty before the
+  /// first input. At most kMaxParts + 1. While the cell is in the past, they include the future to
+  /// which it may still return.
   std::vector<EpochSpan> epochs() const;
   bool covers(const ReplayTime& time) const;
   /// The part from which a time can be made again: see past.hpp. It can be used by another thread.
@@ -89,9 +84,7 @@ class History final : private Recorder, private monitor::ByteBudget::Member {
   template <class Entry>
   void add(Entry&& entry);
   bool is_checkpoint_due() const;
-  void try_part();
   void begin_part();
-  void limit_parts();
   void note_motion();
   void note_epoch(const ReplayTime& before);
   void go_back(const ReplayTime& from);
@@ -100,8 +93,8 @@ class History final : private Recorder, private monitor::ByteBudget::Member {
   void recount();
   Tick covered_from(const ReplayTime& begin) const;
   void drop_oldest();
-  void join_dense(std::size_t pairs);
   void forget();
+  void give_up();
 
   Cell& cell_;
   Tick longest_;
@@ -111,8 +104,7 @@ class History final : private Recorder, private monitor::ByteBudget::Member {
   ReplayTime last_;               ///< the end of the last input
   ReplayTime before_;             ///< the begin of the input that acts
   bool was_at_rest_ = true;
-  std::size_t retry_in_ = 0;           ///< above 0: nothing is kept until so many inputs have come
-  std::size_t join_in_ = 0;            ///< new parts until the next search for parts to join
+  std::size_t retry_in_ = 0;           ///< inputs until the history begins anew
   std::optional<ReplayTime> back_at_;  ///< the cell is in the past, at this time of the history
   std::size_t used_ = 0;
   std::size_t granted_ = 0;

@@ -14,7 +14,6 @@
 namespace xr3 {
 namespace {
 
-constexpr std::size_t kMaxEpochs = 1000;
 constexpr std::size_t kMaxMarks = 500;
 constexpr std::int64_t kEventsAtOnce = 64;  ///< some 5 us each
 
@@ -207,8 +206,6 @@ asio::awaitable<void> MonitorService::list_history(CellPtr at, MonitorSession& s
                                                    monitor::RequestId id) {
   const Cell& cell = at->cell();
   std::vector<EpochSpan> spans = at->history()->epochs();
-  if (spans.size() > kMaxEpochs)
-    spans.erase(spans.begin(), spans.end() - static_cast<std::ptrdiff_t>(kMaxEpochs));
   Json value = value_now(cell);
   value["past"] = cell.is_in_past();
   co_await listing_events_.until_free();

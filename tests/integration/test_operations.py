@@ -60,6 +60,7 @@ head of an HTTP request | server/resources/session.cpp | kMaxHeadTime
 head of an HTTP request | server/http/wire.hpp | kMaxTargetBytes | 1024
 an HTTP connection between requests | server/resources/session.cpp | kKeptAlive
 the history of all cells | server/app.cpp | kHistoryBytes | 1048576
+checkpoints of a cell's history | cell/history/history.hpp | kMaxParts
 a recording | server/options/options.hpp | record_max_mib
 free space on the disk of recordings | server/recording/room.hpp | kFreeMib
 free space on the disk of recordings | server/recording/room.hpp | kFreePercent

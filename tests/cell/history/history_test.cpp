@@ -130,37 +130,32 @@ TEST(History, TheFutureIsKeptUntilResume) {
   EXPECT_EQ(inputs, 2U) << "the line and its first bytes";
 }
 
-TEST(History, LongQueuesMakeAGap) {
+TEST(History, BeginsAnewAfterLongQueues) {
   monitor::ByteBudget budget(kAmple);
   Cell cell("main", test::rhino(), SimClock::real({}, 0), {});
   cell.set_line_speed({parse_serial_settings("300-8n1"), {}});
   const History history(cell, 3'600'000, budget);
   const LineId monitor = cell.apply(LineOpened{"monitor", LineKind::kMonitor}, 0).line;
-  std::vector<LineId> full;
-  std::size_t waiting = 0;
-  while (waiting <= History::kMaxQueues) {
-    full.push_back(cell.apply(LineOpened{"test", LineKind::kPty}, 0).line);
-    const std::size_t taken =
-        cell.apply(BytesIn{full.back(), std::string(5000, 'x')}, 0).bytes_taken;
-    ASSERT_GT(taken, 0U);
-    waiting += taken;
-  }
-  const auto poll_until = [&](int ms) {
-    for (int each = static_cast<int>(cell.state().tick) + 1; each <= ms; ++each) {
-      for (int i = 0; i < 10; ++i) cell.apply(BytesIn{monitor, "E?"}, each * kHistoryMs);
-      cell.sent({monitor, 10});
-    }
-  };
-  poll_until(600);  // 6,000 inputs
   EXPECT_TRUE(history.covers({0, 0}));
-  EXPECT_FALSE(history.covers({0, 599}));
+  std::vector<LineId> full;
+  constexpr std::size_t kQueue = LinePace::kMaxInput * sizeof(ReceivedByte);
+  for (std::size_t waiting = 0; waiting <= History::kMaxQueues; waiting += kQueue) {
+    full.push_back(cell.apply(LineOpened{"test", LineKind::kPty}, 0).line);
+    cell.apply(BytesIn{full.back(), std::string(LinePace::kMaxInput, 'x')}, 0);
+  }
+  const auto poll = [&](int ms, std::size_t inputs) {
+    for (std::size_t i = 0; i < inputs; ++i) cell.apply(BytesIn{monitor, "E?"}, ms * kHistoryMs);
+    cell.sent({monitor, inputs});
+  };
+  poll(1, History::kInputs + 1);
+  EXPECT_TRUE(history.epochs().empty());
+  EXPECT_EQ(history.used_bytes(), 0U);
   for (const LineId line : full)
-    cell.apply(LineClosed{line, LineCloseReason::kError}, 600 * kHistoryMs);
-  poll_until(700);
-  EXPECT_TRUE(history.covers({0, 700}));
-  EXPECT_FALSE(history.covers({0, 599}));
-  ASSERT_EQ(history.epochs().size(), 2U);
-  EXPECT_EQ(history.part_before({0, 700})->from().tick, history.epochs()[1].from);
+    cell.apply(LineClosed{line, LineCloseReason::kError}, 2 * kHistoryMs);
+  poll(3, History::kRetryInputs + 1);
+  EXPECT_TRUE(history.covers({0, 3}));
+  EXPECT_FALSE(history.covers({0, 1}));
+  EXPECT_EQ(history.epochs().size(), 1U) << "no gap";
 }
 
 TEST(History, TheNumberOfPartsIsLimited) {
@@ -257,31 +252,35 @@ TEST(History, CellsShareTheBudget) {
   EXPECT_LE(of_busy.used_bytes() + of_other.used_bytes(), kSmall);
 }
 
-/// The history of a cell that moves for a while, with the bytes that it needs.
-void move_for_a_while(Cell& cell) {
-  cell.apply(LineOpened{"test"}, 0);
-  for (int ms = 1; ms < 400'000; ms += 500)
-    cell.apply(BytesIn{1, ms % 1000 == 1 ? "E+99\r" : "E-99\r"}, ms * kHistoryMs);
-}
-
-TEST(History, IsThinnedBeforeItIsDropped) {
-  monitor::ByteBudget ample(kAmple);
-  Cell first("main", test::rhino(), SimClock::real({}, 0), {});
-  const History whole(first, 3'600'000'000, ample);
-  move_for_a_while(first);
-  ASSERT_GT(whole.parts(), 30U);
-  monitor::ByteBudget budget(ample.used_bytes());
-  Cell cell("main", test::rhino(), SimClock::real({}, 0), {});
-  const History history(cell, 3'600'000'000, budget);
-  move_for_a_while(cell);
-  ASSERT_EQ(history.parts(), whole.parts());
+TEST(History, TheLargestDropsItsOldestCheckpoints) {
+  constexpr std::size_t kSmall = 200'000;
+  Kept kept(3'600'000'000, kSmall);
+  for (int ms = 1; ms < 1'200'000; ms += 500) kept.send(ms, ms % 1000 == 1 ? "E+99\r" : "E-99\r");
+  const std::size_t before = kept.history.parts();
+  ASSERT_GT(before, 10U);
+  ASSERT_GT(kept.budget.used_bytes(), kSmall * 3 / 4);
   struct Other : monitor::ByteBudget::Member {
     std::size_t bytes() const override { return 0; }
     void shrink() override {}
   } other;
-  ASSERT_TRUE(budget.grant(other, budget.used_bytes() / 4));
-  EXPECT_LT(history.parts(), whole.parts());
-  EXPECT_TRUE(history.covers({0, 0})) << "fewer parts, the same time";
+  ASSERT_TRUE(kept.budget.grant(other, kSmall / 4));
+  EXPECT_LT(kept.history.parts(), before);
+  EXPECT_GT(kept.history.parts(), before / 2) << "no more than are needed";
+  const auto spans = kept.history.epochs();
+  ASSERT_EQ(spans.size(), 1U);
+  EXPECT_EQ(kept.history.part_before({0, spans[0].from})->from().tick, spans[0].from);
+}
+
+TEST(History, AnHourOfMotionFits) {
+  Kept kept;
+  constexpr int kMoreThanAnHour = 4'000'000;
+  for (int ms = 1; ms < kMoreThanAnHour; ms += 1000)
+    kept.send(ms, ms % 2000 == 1 ? "E+99\r" : "E-99\r");
+  EXPECT_LE(kept.history.parts(), History::kMaxParts);
+  const auto spans = kept.history.epochs();
+  ASSERT_EQ(spans.size(), 1U);
+  EXPECT_LE(spans[0].to - spans[0].from, 3'700'000);
+  EXPECT_GE(spans[0].to - spans[0].from, 3'500'000);
 }
 
 }  // namespace
