@@ -144,6 +144,7 @@ void History::end(const Cell& cell, const Input& input, const Applied& applied) 
 template <class Entry>
 void History::add(Entry&& entry) {
   if (parts_.empty()) return;  // memory is short
+  assert(parts_.back().use_count() == 1);  // part_before() gives a copy of the last part
   InputTape& inputs = parts_.back()->inputs;
   used_ -= inputs.bytes();
   inputs.add(std::forward<Entry>(entry));
@@ -154,8 +155,7 @@ void History::add(Entry&& entry) {
 void History::note_motion() {
   const bool is_at_rest = cell_.is_at_rest();
   const bool is_same_epoch = last_.epoch == cell_.epoch();
-  if (!parts_.empty() && is_same_epoch && !(was_at_rest_ && is_at_rest))
-    parts_.back()->moved += cell_.state().tick - last_.tick;
+  if (is_same_epoch && !(was_at_rest_ && is_at_rest)) moved_ += cell_.state().tick - last_.tick;
   was_at_rest_ = is_at_rest;
   last_ = now();
 }
@@ -165,7 +165,7 @@ void History::note_motion() {
 bool History::is_checkpoint_due() const {
   if (parts_.empty()) return retry_in_ == 0;
   const HistoryPart& part = *parts_.back();
-  return part.from().epoch != cell_.epoch() || part.moved >= kMovedTicks ||
+  return part.from().epoch != cell_.epoch() || moved_ >= kMovedTicks ||
          part.inputs.size() >= kInputs || part.inputs.bytes() >= kInputBytes;
 }
 
@@ -180,6 +180,7 @@ void History::begin_part() {
   used_ += bytes_of(*part, parts_.empty() ? nullptr : parts_.back().get());
   if (!parts_.empty()) used_ += bytes_left(parts_.back()->start, part->start);
   parts_.push_back(std::move(part));
+  moved_ = 0;
   while (parts_.size() > kMaxParts ||
          (parts_.size() > 1 && covered_from(parts_[1]->from()) >= longest_))
     drop_oldest();

@@ -22,7 +22,6 @@ namespace xr3 {
 struct HistoryPart {
   Cell::Checkpoint start;
   InputTape inputs;
-  Tick moved = 0;               ///< time in which something may have moved
   std::size_t fixed_bytes = 0;  ///< an estimate of the memory of `start`, without blocks and path
 
   ReplayTime from() const { return {start.epoch, start.state.tick}; }
@@ -62,7 +61,8 @@ class History final : private Recorder, private monitor::ByteBudget::Member {
   /// which it may still return.
   std::vector<EpochSpan> epochs() const;
   bool covers(const ReplayTime& time) const;
-  /// The part from which a time can be made again: see past.hpp. It can be used by another thread.
+  /// The part from which a time can be made again: see past.hpp. It never changes, so another
+  /// thread can use it.
   /// nullptr: the history does not cover that time.
   HistoryPartPtr part_before(const ReplayTime& time) const;
 
@@ -104,7 +104,8 @@ class History final : private Recorder, private monitor::ByteBudget::Member {
   ReplayTime last_;               ///< the end of the last input
   ReplayTime before_;             ///< the begin of the input that acts
   bool was_at_rest_ = true;
-  std::size_t retry_in_ = 0;           ///< inputs until the history begins anew
+  Tick moved_ = 0;            ///< time since the last checkpoint in which something may have moved
+  std::size_t retry_in_ = 0;  ///< inputs until the history begins anew
   std::optional<ReplayTime> back_at_;  ///< the cell is in the past, at this time of the history
   std::size_t used_ = 0;
   std::size_t granted_ = 0;

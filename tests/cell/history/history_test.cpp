@@ -130,6 +130,22 @@ TEST(History, TheFutureIsKeptUntilResume) {
   EXPECT_EQ(inputs, 2U) << "the line and its first bytes";
 }
 
+TEST(History, APartThatWasGivenDoesNotChange) {
+  Kept kept;
+  kept.send(100, "E+9\r");
+  kept.call(500, call::Reset{});
+  const HistoryPartPtr last = kept.history.part_before({0, 400});
+  EXPECT_EQ(last->inputs.size(), 3U);
+  kept.send(600, "E+9\r");
+  EXPECT_EQ(last->inputs.size(), 3U) << "a copy of the part that still grew";
+  const HistoryPartPtr first = kept.history.part_before({0, 400});
+  kept.rewind(700, {0, 200});
+  kept.call(800, call::Resume{});
+  kept.send(900, "E?");
+  EXPECT_EQ(first->inputs.size(), 3U) << "the future was dropped";
+  EXPECT_EQ(kept.history.part_before({0, 200})->inputs.size(), 2U);
+}
+
 TEST(History, BeginsAnewAfterLongQueues) {
   monitor::ByteBudget budget(kAmple);
   Cell cell("main", test::rhino(), SimClock::real({}, 0), {});
