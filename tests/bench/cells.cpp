@@ -36,6 +36,7 @@ constexpr Ns kSecond = 1'000'000'000;
 constexpr Ns kPeriod = kSecond / 20;
 constexpr Ns kWarmUp = kSecond;
 constexpr long kMoveEvery = 10;  // inquiries
+constexpr double kMost_ms = 50;  // before a client asks again
 constexpr double kLikeTheLoop = 5;
 constexpr std::string_view kInquiry = "E?";
 constexpr std::string_view kThere = "E+60\rD-60\rC+60\rE?";
@@ -215,26 +216,10 @@ class Load {
 }
 
 Child serve_cells(const std::string& xr3, int cells, const std::vector<std::string>& options) {
-  std::vector<std::string> words = {"xr3",
-                                    "serve",
-                                    "--robot-port",
-                                    "0",
-                                    "--monitor-port",
-                                    "0",
-                                    "--log-level",
-                                    "off",
-                                    "--cell-per-connection",
-                                    "--max-cells",
-                                    std::to_string(cells),
-                                    "--max-lines",
-                                    std::to_string(cells + kSpareLines)};
-  words.insert(words.end(), options.begin(), options.end());
-  return Child([&] {
-    std::vector<char*> texts;
-    for (std::string& each : words) texts.push_back(each.data());
-    texts.push_back(nullptr);
-    ::execv(xr3.c_str(), texts.data());
-  });
+  std::vector<std::string> all{"--cell-per-connection", "--max-cells", std::to_string(cells),
+                               "--max-lines", std::to_string(cells + kSpareLines)};
+  all.insert(all.end(), options.begin(), options.end());
+  return serve(xr3, all);
 }
 
 void print(const char* name, const Figures& of) {
@@ -279,7 +264,7 @@ int main(int argc, char** argv) {
     xr3::bench::prepare();
     const int cells = argc > 2 ? std::atoi(argv[2]) : 1000;
     const double seconds = argc > 3 ? std::atof(argv[3]) : 10;
-    const double bound_ms = argc > 4 ? std::atof(argv[4]) : 10;
+    const double bound_ms = argc > 4 ? std::atof(argv[4]) : xr3::bench::kMost_ms;
     const std::vector<std::string> options(argv + std::min(argc, 5), argv + argc);
     return xr3::bench::run(argv[1], cells, seconds, bound_ms, options) ? 0 : 1;
   } catch (const std::exception& failure) {

@@ -3,8 +3,8 @@
 
     check_speed.py BENCH
 
-BENCH is the benchmark executable of a release build. The best of several runs counts, so that the check
-passes on a busy machine, too. The targets on an idle one are 20,000 and 100,000 times real time.
+BENCH is the benchmark executable of a release build. Processor time counts, and the best of several runs, so that
+the check passes on a busy machine, too. The targets on an idle one are 20,000 and 100,000 times real time.
 """
 
 import json

@@ -76,10 +76,15 @@ std::string Child::greeting() const {
   return line;
 }
 
-Child serve(const std::string& xr3) {
+Child serve(const std::string& xr3, const std::vector<std::string>& options) {
+  std::vector<std::string> words{"xr3", "serve",       "--robot-port", "0", "--monitor-port",
+                                 "0",   "--log-level", "off"};
+  words.insert(words.end(), options.begin(), options.end());
   return Child([&] {
-    ::execl(xr3.c_str(), "xr3", "serve", "--robot-port", "0", "--monitor-port", "0", "--log-level",
-            "off", nullptr);
+    std::vector<char*> texts;
+    for (std::string& each : words) texts.push_back(each.data());
+    texts.push_back(nullptr);
+    ::execv(xr3.c_str(), texts.data());
   });
 }
 

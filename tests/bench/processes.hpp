@@ -42,8 +42,8 @@ class Child {
   int out_ = -1;
 };
 
-/// Starts `xr3 serve` on free ports, without a log.
-Child serve(const std::string& xr3);
+/// Starts `xr3 serve` on free ports, without a log, with more options.
+Child serve(const std::string& xr3, const std::vector<std::string>& options = {});
 
 /// Opens a listening socket on a free port of this machine and prints the port as `NAME=` on
 /// standard output.
@@ -61,7 +61,7 @@ void set_no_delay(int fd);
 
 double median(std::vector<double> values);
 
-/// Prints a ratio with its bound. Returns whether the bound is met.
+/// Prints a figure with its bound. Returns whether the bound is met.
 bool judge(const char* what, double ratio, double bound);
 
 }  // namespace xr3::bench

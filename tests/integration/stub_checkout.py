@@ -17,7 +17,7 @@ done
 exec "$REAL_CTEST" --test-dir "$TESTS" -N "$@"
 """
 PROGRAMS = ("bin/cmake", "bin/git", "bin/node", "bin/shellcheck", "build/release/bench", "build/release/bench_fanout",
-            "build/release/bench_round_trips", "build/release/bench_cells", "build/seeds/seeds")
+            "build/release/bench_inquiries", "build/release/bench_cells", "build/seeds/seeds")
 
 
 class StubCheckout:

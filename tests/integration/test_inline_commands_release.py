@@ -42,7 +42,7 @@ KINDS = {
     "runs_the_checkout": r"\./run( .*)?",
     "runs_a_suite": r"\./test( .*)?",
     "is_a_script": r"(scripts/(build-cost|capacity|emscripten|notes|package|pictures|release|site|viewer|llvm-tool|setup)"
-                   r"|tests/fuzz/minimise|tests/bench/side_by_side.py)"
+                   r"|tests/fuzz/minimise)"
                    r"( (?!-).*)?",
     "uses_a_preset": r"(cmake|cmake --build|ctest) --preset \S+.*",
     "is_an_option_of_cmake": r"cmake --install( build/release)?",
