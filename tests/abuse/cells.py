@@ -1,4 +1,4 @@
-"""The workcells of the attacks: those that are shipped, and the largest that the rules for files allow."""
+"""The workcells of the attacks: one that is shipped, and the largest that the rules for files allow."""
 
 import json
 import pathlib
@@ -6,24 +6,20 @@ import tempfile
 
 from support import ROOT
 
-SHIPPED = "shipped"    # five blocks, 192 x 192 pixels
-HUNDRED = "hundred"    # a hundred blocks, also shipped
-LARGEST = "largest"    # 256 blocks and 1,000 x 1,000 pixels
+SHIPPED = "shipped"  # five blocks, 192 x 192 pixels
+LARGEST = "largest"  # 255 blocks, so that one can be added, and 1,000 x 1,000 pixels
+HEAPED = "heaped"    # as many blocks, each of which covers the camera's whole field
 
-BOUND_MS = {SHIPPED: 3, HUNDRED: 3, LARGEST: 20}
-MOST_BLOCKS = 256
+MANY_BLOCKS = 255
 MOST_PIXELS = 1000
+FIELD_MM = 384
 
 
 def block(number, size_mm=(40, 20, 20)):
     """A block with the longest name, somewhere in the camera's field."""
-    row, column = divmod(number, 100)
+    row, column = divmod(number, 16)
     return {"name": f"{number:040d}", "size": list(size_mm), "color": number % 16, "yaw_deg": number % 90,
-            "centroid": [round(100 + 3.8 * column, 3), round(-190 + 3.8 * row % 380, 3), size_mm[2] / 2]}
-
-
-def most_blocks(size_mm=(40, 20, 20)):
-    return [block(number, size_mm) for number in range(MOST_BLOCKS)]
+            "centroid": [100 + 24 * column, -190 + 24 * row, size_mm[2] / 2]}
 
 
 def workcell(blocks=None, pixels=None):
@@ -34,7 +30,18 @@ def workcell(blocks=None, pixels=None):
     return cell | {"notes": ""} | ({} if blocks is None else {"blocks": blocks})
 
 
-MADE = {LARGEST: lambda: workcell(most_blocks((200, 200, 20)), MOST_PIXELS)}
+def blocks(size_mm=(40, 20, 20)):
+    return [block(number, size_mm) for number in range(MANY_BLOCKS)]
+
+
+def heap():
+    return [each | {"centroid": [290, 0, 10]} for each in blocks((2 * FIELD_MM, 2 * FIELD_MM, 20))]
+
+
+MADE = {
+    LARGEST: lambda: workcell(blocks(), MOST_PIXELS),
+    HEAPED: lambda: workcell(heap(), MOST_PIXELS),
+}
 
 
 class Cell:
@@ -46,7 +53,7 @@ class Cell:
     def __enter__(self):
         self.folder = tempfile.TemporaryDirectory()
         if self.name not in MADE:
-            return ["--workcell", "rhino-hundred" if self.name == HUNDRED else "rhino-xr3"]
+            return ["--workcell", "rhino-xr3"]
         path = pathlib.Path(self.folder.name, self.name + ".json")
         path.write_text(json.dumps(MADE[self.name]()), encoding="utf-8")
         return ["--workcell", path]

@@ -3,8 +3,8 @@
 import itertools
 import re
 
-from attack import beside
-from cells import HUNDRED, LARGEST, SHIPPED
+from attack import Beside
+from cells import HEAPED
 from target import call, get, read_answer
 
 MANY = 1000
@@ -66,36 +66,36 @@ def changing(path):
 
 
 VECTORS = b"".join(get(f"/view.svg?vector={x},{y},{z}") for x in range(1, 10) for y in range(-9, 9) for z in range(9))
-ALL = (SHIPPED, LARGEST)
 ATTACKS = [
-    *beside("http.state", flood(get("/state")), *ALL),
-    *beside("http.camera.png", flood(get("/camera.png")), *ALL),
-    *beside("http.camera.pbm", flood(get("/camera.pbm")), *ALL),
-    *beside("http.camera.pbm-unread", unread(get("/camera.pbm"), 100), LARGEST),
-    *beside("http.view.svg", flood(get("/view.svg?vector=1,1,1")), SHIPPED, HUNDRED, LARGEST),
-    *beside("http.vectors", flood(VECTORS), *ALL),
-    *beside("http.view.svg-changing", changing("/view.svg"), *ALL),
-    *beside("http.workcell-changing", changing("/workcell"), *ALL),
-    *beside("http.state-changing", changing("/state"), *ALL),
-    *beside("http.camera.pbm-changing", changing("/camera.pbm"), *ALL),
-    *beside("http.camera.png-changing", changing("/camera.png"), *ALL),
-    *beside("http.metrics", flood(get("/metrics")), SHIPPED),
-    *beside("http.robot", flood(get("/robot")), SHIPPED),
-    *beside("http.workcell", flood(get("/workcell")), *ALL),
-    *beside("http.schema", flood(get("/schema/v1.json")), SHIPPED),
-    *beside("http.page", flood(get("/")), SHIPPED),
-    *beside("http.script", page_script, SHIPPED),
-    *beside("http.ready", flood(get("/readyz"), 20), SHIPPED),
-    *beside("http.not-found", flood(get("/nothing/here")), SHIPPED),
-    *beside("http.foreign", flood(b"GET / HTTP/1.1\r\nHost: evil.example\r\n\r\n"), SHIPPED),
-    *beside("http.malformed", flood(b"GET / HTTP/1.1\r\nA B: c\r\n\r\n"), SHIPPED),
-    *beside("http.long-heads", flood(LONG_HEAD), SHIPPED),
-    *beside("http.slowloris", slowloris, SHIPPED),
-    *beside("http.storm", storm(get("/healthz")), SHIPPED),
-    *beside("http.storm-images", storm(get("/camera.png")), SHIPPED, LARGEST),
-    *beside("http.storm-json", storm(b'{"op":"get","channel":"state"}\n'), *ALL),
-    *beside("http.storm-tls", storm(bytes.fromhex("16030100c8010000c40303")), SHIPPED),
-    *beside("http.bursts", lambda target: target.bursts(target.monitor_port, get("/healthz")), SHIPPED),
-    *beside("http.many-pictures", flood(get("/view.svg"), 100), *ALL),
-    *beside("http.many-png", flood(get("/camera.png"), 100), *ALL),
+    Beside("http.state", flood(get("/state"))),
+    Beside("http.camera.png", flood(get("/camera.png"))),
+    Beside("http.camera.pbm", flood(get("/camera.pbm"))),
+    Beside("http.camera.pbm-unread", unread(get("/camera.pbm"), 100)),
+    Beside("http.view.svg", flood(get("/view.svg?vector=1,1,1"))),
+    Beside("http.view.svg-heaped", flood(get("/view.svg?vector=1,1,1")), HEAPED),
+    Beside("http.vectors", flood(VECTORS)),
+    Beside("http.view.svg-changing", changing("/view.svg")),
+    Beside("http.workcell-changing", changing("/workcell")),
+    Beside("http.state-changing", changing("/state")),
+    Beside("http.camera.pbm-changing", changing("/camera.pbm")),
+    Beside("http.camera.png-changing", changing("/camera.png")),
+    Beside("http.metrics", flood(get("/metrics"))),
+    Beside("http.robot", flood(get("/robot"))),
+    Beside("http.workcell", flood(get("/workcell"))),
+    Beside("http.schema", flood(get("/schema/v1.json"))),
+    Beside("http.page", flood(get("/"))),
+    Beside("http.script", page_script),
+    Beside("http.ready", flood(get("/readyz"), 20)),
+    Beside("http.not-found", flood(get("/nothing/here"))),
+    Beside("http.foreign", flood(b"GET / HTTP/1.1\r\nHost: evil.example\r\n\r\n")),
+    Beside("http.malformed", flood(b"GET / HTTP/1.1\r\nA B: c\r\n\r\n")),
+    Beside("http.long-heads", flood(LONG_HEAD)),
+    Beside("http.slowloris", slowloris),
+    Beside("http.storm", storm(get("/healthz"))),
+    Beside("http.storm-images", storm(get("/camera.png"))),
+    Beside("http.storm-json", storm(b'{"op":"get","channel":"state"}\n')),
+    Beside("http.storm-tls", storm(bytes.fromhex("16030100c8010000c40303"))),
+    Beside("http.bursts", lambda target: target.bursts(target.monitor_port, get("/healthz"), MANY)),
+    Beside("http.many-pictures", flood(get("/view.svg"), 100)),
+    Beside("http.many-png", flood(get("/camera.png"), 100)),
 ]

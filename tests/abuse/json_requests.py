@@ -1,27 +1,20 @@
 """Loads on the monitor port by JSON lines."""
 
 import contextlib
-import functools
 import itertools
 import json
 import select
 
-from attack import beside, crowd
-from cells import HUNDRED, LARGEST, SHIPPED, most_blocks, workcell
+from attack import Beside
+from cells import HEAPED, MOST_PIXELS, blocks, workcell
 from lines import MANY_LINES, MOVES
 from target import call, get, json_line
 
 STATE_FIELDS = ("clock", "joints", "tool", "blocks", "switches", "io", "moving", "stalled", "enabled", "model_rev")
-MANUAL = {"clock": "manual"}
 
 
 def flood(data, count=1, before=()):
     return lambda target: target.flood(lambda: target.ask(*before), data, count=count)
-
-
-@functools.cache
-def largest_workcell_call():
-    return call("workcell", workcell=workcell(most_blocks()))
 
 
 def scenes(target):
@@ -116,52 +109,52 @@ def many_lines(request):
 
 
 def inline_snapshots(target):
-    """Loads a snapshot of the most blocks, again and again."""
-    sock = target.ask(largest_workcell_call())
+    """Loads a snapshot of as many blocks as a workcell can have, again and again."""
+    sock = target.ask(LARGEST_WORKCELL)
     sock.sendall(call("snapshot_save", inline=True))
     answer = json.loads(sock.makefile("rb").readline())
     target.flood(target.ask, call("snapshot_load", snapshot=answer["value"]["snapshot"]))
 
 
+LARGEST_WORKCELL = call("workcell", workcell=workcell(blocks(), MOST_PIXELS))
 EVENTS = json_line("get", channel="event", since=1)
 SAVED = call("snapshot_save", name="a")
 LOADED = call("snapshot_load", name="a")
 RUN = call("send", text=MOVES.decode()) + call("run_until", idle=True, max_ticks=2**53 - 1)
 STEP = call("send", text="E-100\r") + call("step", ticks=10**12)
-SHIPPED_AND_LARGEST = (SHIPPED, LARGEST)
 
 ATTACKS = [
-    *beside("json.pings", flood(json_line("ping")), SHIPPED),
-    *beside("json.events", flood(EVENTS, before=[call("home")] * 5), SHIPPED),
-    *beside("json.lines", flood(json_line("get", channel="line", since=1)), SHIPPED),
-    *beside("json.states", flood(json_line("get", channel="state")), *SHIPPED_AND_LARGEST),
-    *beside("json.selected-states", flood(b"".join(
-        json_line("get", channel="state", fields=permutation(number)) for number in range(200))), LARGEST),
-    *beside("json.images", flood(json_line("get", channel="image")), *SHIPPED_AND_LARGEST),
-    *beside("json.run-lengths", flood(json_line("get", channel="image", encoding="rle")), *SHIPPED_AND_LARGEST),
-    *beside("json.models", flood(json_line("get", channel="model")), *SHIPPED_AND_LARGEST),
-    *beside("json.displays", flood(json_line("get", channel="display")), SHIPPED),
-    *beside("json.keys", flood(call("key", function="display") + json_line("get", channel="display")), SHIPPED),
-    *beside("json.describe", flood(call("describe")), SHIPPED),
-    *beside("json.many-lines", many_lines(call("lines")), SHIPPED),
-    *beside("json.sent", flood(call("send", text="A**" * 1000)), *SHIPPED_AND_LARGEST),
-    *beside("json.workcells", flood(largest_workcell_call()), SHIPPED),
-    *beside("json.edits", flood(edits()), *SHIPPED_AND_LARGEST),
-    *beside("json.scenes", scenes, *SHIPPED_AND_LARGEST),
-    *beside("json.homes", flood(call("home") + json_line("get", channel="state")), *SHIPPED_AND_LARGEST),
-    *beside("json.resets", flood(call("reset")), *SHIPPED_AND_LARGEST),
-    *beside("json.snapshots-saved", flood(SAVED), *SHIPPED_AND_LARGEST),
-    *beside("json.snapshots-loaded", flood(LOADED, before=[SAVED]), *SHIPPED_AND_LARGEST),
-    *beside("json.snapshots-inline-saved", flood(call("snapshot_save", inline=True) + json_line("ping")), LARGEST),
-    *beside("json.snapshots-inline", inline_snapshots, SHIPPED),
-    *beside("json.steps", flood(STEP), *SHIPPED_AND_LARGEST, **MANUAL),
-    *beside("json.runs", flood(RUN), *SHIPPED_AND_LARGEST, **MANUAL),
-    *beside("json.rates", flood(call("rate", factor=100_000) + call("send", text=MOVES.decode())), SHIPPED),
-    *beside("json.churn", churn, *SHIPPED_AND_LARGEST),
-    *beside("json.viewers", viewers(permutation), SHIPPED, HUNDRED, LARGEST),
-    *beside("json.image-viewers", viewers(image_fields, "image"), SHIPPED, LARGEST),
-    *crowd("json.waiting", waiting, **MANUAL),
-    *beside("json.wrong-tokens", wrong_tokens, SHIPPED, options=("--token", "auto")),
-    *beside("json.mixture", mixture, *SHIPPED_AND_LARGEST),
-    *(each for name, data in INVALID.items() for each in beside(f"json.invalid-{name}", flood(data), SHIPPED)),
+    Beside("json.pings", flood(json_line("ping"))),
+    Beside("json.events", flood(EVENTS, before=[call("home")] * 5)),
+    Beside("json.lines", flood(json_line("get", channel="line", since=1))),
+    Beside("json.states", flood(json_line("get", channel="state"))),
+    Beside("json.selected-states", flood(b"".join(
+        json_line("get", channel="state", fields=permutation(number)) for number in range(200)))),
+    Beside("json.images", flood(json_line("get", channel="image"))),
+    Beside("json.run-lengths", flood(json_line("get", channel="image", encoding="rle"))),
+    Beside("json.models", flood(json_line("get", channel="model"))),
+    Beside("json.displays", flood(json_line("get", channel="display"))),
+    Beside("json.keys", flood(call("key", function="display") + json_line("get", channel="display"))),
+    Beside("json.describe", flood(call("describe"))),
+    Beside("json.many-lines", many_lines(call("lines"))),
+    Beside("json.sent", flood(call("send", text="A**" * 1000))),
+    Beside("json.workcells", flood(LARGEST_WORKCELL)),
+    Beside("json.edits", flood(edits())),
+    Beside("json.scenes", scenes),
+    Beside("json.scenes-heaped", scenes, HEAPED),
+    Beside("json.homes", flood(call("home") + json_line("get", channel="state"))),
+    Beside("json.resets", flood(call("reset"))),
+    Beside("json.snapshots-saved", flood(SAVED)),
+    Beside("json.snapshots-loaded", flood(LOADED, before=[SAVED])),
+    Beside("json.snapshots-inline", inline_snapshots),
+    Beside("json.steps", flood(STEP), clock="manual"),
+    Beside("json.runs", flood(RUN), clock="manual"),
+    Beside("json.rates", flood(call("rate", factor=100_000) + call("send", text=MOVES.decode()))),
+    Beside("json.churn", churn),
+    Beside("json.viewers", viewers(permutation)),
+    Beside("json.image-viewers", viewers(image_fields, "image")),
+    Beside("json.waiting", waiting, clock="manual"),
+    Beside("json.wrong-tokens", wrong_tokens, options=("--token", "auto")),
+    Beside("json.mixture", mixture),
+    *(Beside(f"json.invalid-{name}", flood(data)) for name, data in INVALID.items()),
 ]

@@ -7,17 +7,17 @@ import select
 import signal
 import socket
 
-from attack import beside, crowd
-from cells import HUNDRED, LARGEST, SHIPPED
+from attack import Beside
+from cells import HEAPED, MOST_PIXELS
 from target import MOST_AT_ONCE, PING, call, json_line
 
-MANY_LINES = 60  # of 64
-STEPPERS = 500
+MANY_LINES = 60  # the default limit is 64
+STEPPERS = 100
 PR_SET_PDEATHSIG = 1
 SMALL_BUFFER = 4096
-PING_MS, STEP_MS, CROWDED_STEP_MS = 20, 250, 1500
+STEP_MS, CROWDED_STEP_MS = 250, 1500
 MOVES = b"".join(b"%c%+d\r" % (label, sign) for label in b"ABCDEF" for sign in (1, -1))
-ROWS = b"".join(b"A*%d*A*%d,7*" % (row, row) for row in range(192))
+ROWS = b"".join(b"A*%d*A*%d,7*" % (row, row) for row in range(MOST_PIXELS))
 GARBAGE = bytes(number * 7 % 256 for number in range(65536)).replace(b"A", b"z").replace(b"\xff", b"z")
 TELNET = b"".join(b"\xff\xfd%c\xff\xfb%c" % (option, option) for option in range(1, 200))
 COM_PORT = b"\xff\xfb,\xff\xfc,\xff\xfb," + b"\xff\xfa,\x07\xff\xf0\xff\xfa,\x00\xff\xf0" * 50
@@ -63,12 +63,13 @@ def watched(data, *requests):
     return load
 
 
+def crowd(data):
+    return lambda target: target.flood(target.line, data, count=MANY_LINES)
+
+
 def stepped(data, count=1):
     """Floods on lines while a monitor session makes one step of time after another."""
-    def load(target):
-        clients = [(target.line, data)] * count + [(target.page, STEP)]
-        target.flood_each(clients)
-    return load
+    return lambda target: target.flood_each([(target.line, data)] * count + [(target.page, STEP)])
 
 
 def many_steps(target):
@@ -95,43 +96,43 @@ IMAGE = json_line("sub", channel="image", max_hz=60)
 EVENT = json_line("sub", channel="event")
 
 ATTACKS = [
-    *beside("nothing", lambda target: target.hold(), SHIPPED, LARGEST),  # for comparison
-    *beside("lines.images", flood(b"A**\n"), SHIPPED, HUNDRED, LARGEST),
-    *beside("lines.images-unread", flood(b"A**", reads=False), SHIPPED, LARGEST),
-    *beside("lines.pixels-unread", flood(b"A*0,0*", reads=False), SHIPPED, LARGEST),
-    *beside("lines.rows", flood(ROWS), SHIPPED, LARGEST),
-    *beside("lines.moves", flood(MOVES + b"A**"), SHIPPED, LARGEST),
-    *beside("lines.inquiries", flood(b"E?" + b"?" * 100), SHIPPED),
-    *beside("lines.homes", flood(b"A$A**"), SHIPPED, LARGEST),
-    *beside("lines.path", watched(b"A|" + MOVES, DISPLAY), SHIPPED, clock="real:1000"),
-    *beside("lines.long-path", watched(MOVES, PATH, DISPLAY), SHIPPED, clock="real:100000"),
-    *beside("lines.watched", watched(MOVES + b"A$", STATE, IMAGE, DISPLAY, EVENT), SHIPPED, LARGEST),
-    *beside("lines.moves-fast", flood(b"A255SB255SC255SD255SE255SF255S" + MOVES), SHIPPED, clock="real:100000"),
-    *beside("lines.stepped", stepped(MOVES), SHIPPED, LARGEST, clock="manual"),
-    *beside("lines.stepped-images", stepped(b"A**"), SHIPPED, LARGEST, clock="manual"),
-    *crowd("lines.stepped-crowd", stepped(MOVES, MANY_LINES), clock="manual"),
-    *beside("lines.many-steps", many_steps, SHIPPED, clock="manual"),
-    *beside("lines.many-steps-pings", many_steps, SHIPPED, clock="manual", victim="session", own_bound=PING_MS),
-    *beside("lines.steps", flood(MOVES), SHIPPED, clock="manual", victim="step", own_bound=STEP_MS),
-    *beside("lines.steps-images", flood(b"A**"), SHIPPED, LARGEST, clock="manual", victim="step", own_bound=STEP_MS),
-    *beside("lines.steps-garbage", flood(GARBAGE), SHIPPED, clock="manual", victim="step", own_bound=STEP_MS),
-    *beside("lines.steps-crowd", lambda target: target.flood(target.line, MOVES, count=MANY_LINES), SHIPPED,
-            clock="manual", victim="step", own_bound=CROWDED_STEP_MS),
-    *beside("lines.garbage", flood(GARBAGE, reads=False), SHIPPED),
-    *beside("lines.warnings-fast", flood(b"zE+500\r"), SHIPPED, clock="real:100000"),
-    *beside("lines.telnet", flood(TELNET), SHIPPED),
-    *beside("lines.telnet-unread", flood(TELNET, reads=False), SHIPPED),
-    *beside("lines.com-port", flood(COM_PORT), SHIPPED),
-    *beside("lines.com-port-unread", flood(COM_PORT, reads=False), SHIPPED),
-    *beside("lines.suspended", flood(SUSPENDED), SHIPPED),
-    *beside("lines.negotiation", flood(NEGOTIATION), SHIPPED),
-    *crowd("lines.trickle", trickle(b"\r")),
-    *crowd("lines.trickle-inquiries", trickle(b"E?")),
-    *crowd("lines.trickle-images", trickle(b"A**")),
-    *beside("lines.storm", storm(b"E?"), SHIPPED),
-    *beside("lines.storm-held", storm(b"GET"), SHIPPED),
-    *beside("lines.storm-strangers", storm(b"GET / HTTP/1.1\r\n"), SHIPPED),
-    *crowd("lines.bursts", lambda target: target.bursts(target.robot_port, b"E?")),
-    *crowd("lines.refused", lambda target: target.flood(target.untried_line, b"A**", count=MANY_LINES)),
-    *beside("lines.many-images", lambda target: target.flood(target.line, b"A**", count=MANY_LINES), SHIPPED, LARGEST),
+    Beside("nothing", lambda target: target.hold()),  # for comparison
+    Beside("lines.images", flood(b"A**\n")),
+    Beside("lines.images-heaped", flood(b"A**\n"), HEAPED),
+    Beside("lines.images-unread", flood(b"A**", reads=False)),
+    Beside("lines.pixels-unread", flood(b"A*0,0*", reads=False)),
+    Beside("lines.rows", flood(ROWS)),
+    Beside("lines.rows-heaped", flood(ROWS), HEAPED),
+    Beside("lines.moves", flood(MOVES + b"A**")),
+    Beside("lines.inquiries", flood(b"E?" + b"?" * 100)),
+    Beside("lines.homes", flood(b"A$A**")),
+    Beside("lines.path", watched(b"A|" + MOVES, DISPLAY), clock="real:1000"),
+    Beside("lines.long-path", watched(MOVES, PATH, DISPLAY), clock="real:100000"),
+    Beside("lines.watched", watched(MOVES + b"A$", STATE, IMAGE, DISPLAY, EVENT)),
+    Beside("lines.moves-fast", flood(b"A255SB255SC255SD255SE255SF255S" + MOVES), clock="real:100000"),
+    Beside("lines.stepped", stepped(MOVES), clock="manual"),
+    Beside("lines.stepped-images", stepped(b"A**"), clock="manual"),
+    Beside("lines.stepped-crowd", stepped(MOVES, MANY_LINES), clock="manual"),
+    Beside("lines.many-steps", many_steps, clock="manual"),
+    Beside("lines.many-steps-pings", many_steps, clock="manual", victim="session"),
+    Beside("lines.steps", flood(MOVES), clock="manual", victim="step", bound=STEP_MS),
+    Beside("lines.steps-images", flood(b"A**"), clock="manual", victim="step", bound=STEP_MS),
+    Beside("lines.steps-garbage", flood(GARBAGE), clock="manual", victim="step", bound=STEP_MS),
+    Beside("lines.steps-crowd", crowd(MOVES), clock="manual", victim="step", bound=CROWDED_STEP_MS),
+    Beside("lines.garbage", flood(GARBAGE, reads=False)),
+    Beside("lines.warnings-fast", flood(b"zE+500\r"), clock="real:100000"),
+    Beside("lines.telnet", flood(TELNET)),
+    Beside("lines.telnet-unread", flood(TELNET, reads=False)),
+    Beside("lines.com-port", flood(COM_PORT)),
+    Beside("lines.com-port-unread", flood(COM_PORT, reads=False)),
+    Beside("lines.suspended", flood(SUSPENDED)),
+    Beside("lines.negotiation", flood(NEGOTIATION)),
+    Beside("lines.trickle-inquiries", trickle(b"E?")),
+    Beside("lines.trickle-images", trickle(b"A**")),
+    Beside("lines.storm", storm(b"E?")),
+    Beside("lines.storm-held", storm(b"GET")),
+    Beside("lines.storm-strangers", storm(b"GET / HTTP/1.1\r\n")),
+    Beside("lines.bursts", lambda target: target.bursts(target.robot_port, b"E?", MANY_LINES)),
+    Beside("lines.refused", lambda target: target.flood(target.untried_line, b"A**", count=MANY_LINES)),
+    Beside("lines.many-images", crowd(b"A**")),
 ]

@@ -22,7 +22,7 @@ MEGABYTE = 1_000_000
 
 @dataclasses.dataclass(frozen=True)
 class Logged:
-    """The megabytes that a load makes the server log in a second. All rounds are of one server and one load."""
+    """The megabytes that a load makes the server log in a second."""
     name: str
     load: typing.Callable
     clock: str = "real"
@@ -30,6 +30,7 @@ class Logged:
     bound: float = 1.0
     unit: str = "MB/s"
     port: typing.Callable = NoPort
+    rounds = 1
 
     @contextlib.contextmanager
     def in_force(self):

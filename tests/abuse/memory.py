@@ -1,22 +1,21 @@
 """The memory that clients make the server take: a connection at most 1 MiB, beyond the one message made for it alone
-if it asks for that; a thousand of the greediest at most the cap; a request at most 1 MiB beyond eight times its bytes;
+if it asks for that; as many of the greediest as there may be at most the cap; a request at most 1 MiB beyond eight times its bytes;
 calls that change the workcell nothing that stays, and the past of a cell no more than its limit."""
 
 import contextlib
-import itertools
 import select
 import time
 
 import websocket
 from attack import MIB, Attack, Measured, cpu_s
-from cells import HUNDRED, LARGEST, SHIPPED, Cell, block, workcell
-from json_requests import INVALID, largest_workcell_call, permutation
-from lines import MOVES
+from cells import LARGEST, SHIPPED, Cell, workcell
+from json_requests import INVALID, LARGEST_WORKCELL, permutation
+from lines import MANY_LINES, MOVES
 from support import DEADLINE_S, Server
 from target import Target, call, get, json_line
 
 GREEDY = 64
-MOST_CONNECTIONS = 1024
+MANY_PAGES = 1000
 CAP_MIB = 512
 PAST_MIB = 64  # of all cells
 USUAL_MIB = 32  # a server that serves nobody
@@ -51,8 +50,7 @@ def send_greedily(sock, data):
 
 @contextlib.contextmanager
 def serving(cell, others=(), **more):
-    with Cell(cell) as options, \
-            Server("--log-level", "warn", "--max-lines", MOST_CONNECTIONS, *options, *others, **more) as xr3:
+    with Cell(cell) as options, Server("--log-level", "warn", *options, *others, **more) as xr3:
         yield xr3, Target(xr3.robot_port, xr3.monitor_port)
 
 
@@ -62,7 +60,7 @@ def answer_bytes(target, request):
         return len(answers.readline())
 
 
-def greedy(name, cell, opener, data, clock="manual", own=None):
+def greedy(name, opener, data, cell=LARGEST, clock="manual", own=None):
     """The peak of memory for each of many connections that read nothing, without one answer to `own`."""
     def measure():
         with serving(cell, clock=clock) as (xr3, target), contextlib.ExitStack() as stack:
@@ -76,7 +74,7 @@ def greedy(name, cell, opener, data, clock="manual", own=None):
             settle(xr3)
             grown = peak_mib(xr3) - before
             return Measured(grown / GREEDY - own_mib, f"{before:.0f} MiB before, {own_mib:.2f} MiB of its own")
-    return Attack(f"memory.{name}/{cell}", 1, "MiB each", measure)
+    return Attack(f"memory.{name}", 1, "MiB each", measure)
 
 
 def page(target, _):
@@ -96,23 +94,25 @@ def follower(target, number):
     sock = page(target, number)
     others = [json_line("sub", channel=channel, max_hz=60) for channel in OTHER_CHANNELS]
     sock.sendall(b"".join([json_line("sub", channel="state", max_hz=60, fields=permutation(number)), *others]))
-    target.line().sendall(MOVES)
+    if number % 10 == 0:
+        target.line().sendall(MOVES)
     return sock
 
 
-def thousand(name, cell, *openers):
-    """The peak of memory with the greatest number of greedy connections on both ports."""
+def crowd(name, *openers):
+    """The peak of memory with the greatest number of greedy connections on both ports: triples of a function that opens
+    one, of the data, and of their number."""
     def measure():
-        with serving(cell, clock="real") as (xr3, target), contextlib.ExitStack() as stack:
-            for number, (opener, data) in itertools.product(range(MOST_CONNECTIONS - 1), openers):
-                with contextlib.suppress(OSError):
+        with serving(LARGEST, clock="real") as (xr3, target), contextlib.ExitStack() as stack:
+            for opener, data, count in openers:
+                for number in range(count):
                     send_greedily(stack.enter_context(opener(target, number)), data)
             settle(xr3)
             return Measured(peak_mib(xr3))
-    return Attack(f"memory.{name}/{cell}", CAP_MIB + USUAL_MIB, "MiB", measure)
+    return Attack(f"memory.{name}", CAP_MIB + USUAL_MIB, "MiB", measure)
 
 
-def calls(name, bound, cell, request, count, options=("--history", 0)):
+def calls(name, bound, request, count, cell=LARGEST, options=("--history", 0)):
     """The growth of memory by calls whose answers are read, by default without a past of the cell, which may grow."""
     def measure():
         with serving(cell, options) as (xr3, target):
@@ -125,7 +125,7 @@ def calls(name, bound, cell, request, count, options=("--history", 0)):
                     for _ in range(data.count(b"\n")):
                         answers.readline()
             return Measured(peak_mib(xr3) - start, f"{count} calls")
-    return Attack(f"memory.{name}/{cell}", bound, "MiB", measure)
+    return Attack(f"memory.{name}", bound, "MiB", measure)
 
 
 def request_cost(name, data):
@@ -147,41 +147,39 @@ GET_IMAGE = json_line("get", channel="image")
 UNFINISHED_HEAD = get("/state", "X: " + "x" * 7000, "Y: " + "y" * 7000)[:-2]
 UNFINISHED_TEXT = websocket.frame(websocket.TEXT, b"{" + b"x" * 250_000, False)
 WORKCELL = call("workcell", workcell=workcell())
-WORKCELL_OF_HUNDRED = call("workcell", workcell=workcell([block(number) for number in range(100)]))
+STATE = json_line("get", channel="state")
 
 ATTACKS = [
-    greedy("camera.pbm", LARGEST, page, images(get("/camera.pbm"))),
-    greedy("camera.png", LARGEST, page, images(get("/camera.png"))),
-    greedy("view.svg", LARGEST, page, images(get("/view.svg"))),
-    greedy("state", LARGEST, page, images(get("/state"))),
-    greedy("workcell", LARGEST, page, images(get("/workcell"))),
-    greedy("lines", LARGEST, line, b"A**" * REPEATED),
-    greedy("json-images", LARGEST, page, images(GET_IMAGE)),
-    greedy("json-states", LARGEST, page, images(json_line("get", channel="state"))),
-    greedy("json-models", LARGEST, page, images(json_line("get", channel="model"))),
-    greedy("json-workcells", LARGEST, page, call("snapshot_save", inline=True) * 3),
-    greedy("json-events", SHIPPED, page, json_line("get", channel="event", since=1) * 300),
-    greedy("json-sends", LARGEST, page, call("send", text="A**" * 1000) * REPEATED, own=call("send", text="A**")),
-    greedy("json-unfinished", SHIPPED, page, b'{"op":"ping","more":"' + b"x" * 250_000),
-    greedy("json-errors", SHIPPED, page, b"{}\n" * 2000),
-    greedy("websocket-images", LARGEST, socket, images(websocket.text("get", channel="image"))),
-    greedy("websocket-unfinished", SHIPPED, socket, UNFINISHED_TEXT),
-    greedy("websocket-pings", SHIPPED, socket, websocket.frame(websocket.PING, b"x" * 125) * 1000),
-    greedy("http-unfinished", SHIPPED, page, UNFINISHED_HEAD),
-    greedy("telnet", SHIPPED, line, b"\xff\xfd\x01" * 20_000),
-    greedy("suspended", LARGEST, line, b"\xff\xfb,\xff\xfa,\x08\xff\xf0" + b"A**" * REPEATED),
-    greedy("suspended-inquiries", SHIPPED, line, b"\r\xff\xfb,\xff\xfa,\x08\xff\xf0" + b"I" * 100_000),
-    greedy("followers", SHIPPED, follower, b"", clock="real"),
-    greedy("followers", LARGEST, follower, b"", clock="real", own=json_line("get", channel="state")),
-    thousand("thousand-images", LARGEST, (line, b"A**" * REPEATED), (page, images(get("/camera.pbm")))),
-    thousand("thousand-json", LARGEST, (line, b"A*0*" * REPEATED), (page, images(GET_IMAGE))),
-    thousand("thousand-followers", LARGEST, (follower, b"")),
-    calls("workcells", 4, HUNDRED, WORKCELL_OF_HUNDRED, 4000),
-    calls("large-workcells", 8, SHIPPED, largest_workcell_call(), 500),
-    calls("snapshots", 16, LARGEST, lambda turn: call("snapshot_save", name=str(turn % 16)), 100),
-    calls("past-workcells", PAST_MIB + 8, SHIPPED, largest_workcell_call(), 250, options=()),
-    calls("past-models", PAST_MIB + 8, SHIPPED, WORKCELL + call("reset"), 1000, options=()),
-    calls("past-snapshots", PAST_MIB + 16, LARGEST, call("snapshot_save", name="a") + call("reset"), 60, options=()),
+    greedy("camera.pbm", page, images(get("/camera.pbm"))),
+    greedy("camera.png", page, images(get("/camera.png"))),
+    greedy("view.svg", page, images(get("/view.svg"))),
+    greedy("state", page, images(get("/state"))),
+    greedy("workcell", page, images(get("/workcell"))),
+    greedy("lines", line, b"A**" * REPEATED),
+    greedy("json-images", page, images(GET_IMAGE)),
+    greedy("json-states", page, images(STATE)),
+    greedy("json-models", page, images(json_line("get", channel="model"))),
+    greedy("json-snapshots", page, call("snapshot_save", inline=True) * 3, own=call("snapshot_save", inline=True)),
+    greedy("json-events", page, json_line("get", channel="event", since=1) * 300, SHIPPED),
+    greedy("json-sends", page, call("send", text="A**" * 1000) * REPEATED, own=call("send", text="A**")),
+    greedy("json-unfinished", page, b'{"op":"ping","more":"' + b"x" * 250_000, SHIPPED),
+    greedy("json-errors", page, b"{}\n" * 2000, SHIPPED),
+    greedy("websocket-images", socket, images(websocket.text("get", channel="image"))),
+    greedy("websocket-unfinished", socket, UNFINISHED_TEXT, SHIPPED),
+    greedy("websocket-pings", socket, websocket.frame(websocket.PING, b"x" * 125) * 1000, SHIPPED),
+    greedy("http-unfinished", page, UNFINISHED_HEAD, SHIPPED),
+    greedy("telnet", line, b"\xff\xfd\x01" * 20_000, SHIPPED),
+    greedy("suspended", line, b"\xff\xfb,\xff\xfa,\x08\xff\xf0" + b"A**" * REPEATED),
+    greedy("suspended-inquiries", line, b"\r\xff\xfb,\xff\xfa,\x08\xff\xf0" + b"I" * 100_000, SHIPPED),
+    greedy("followers", follower, b"", clock="real", own=STATE),
+    crowd("crowd-images", (line, b"A**" * REPEATED, MANY_LINES), (page, images(get("/camera.pbm")), MANY_PAGES)),
+    crowd("crowd-json", (line, b"A*0*" * REPEATED, MANY_LINES), (page, images(GET_IMAGE), MANY_PAGES)),
+    crowd("crowd-followers", (follower, b"", MANY_PAGES)),
+    calls("workcells", 8, LARGEST_WORKCELL, 300, SHIPPED),
+    calls("snapshots", 16, lambda turn: call("snapshot_save", name=str(turn % 16)), 100),
+    calls("past-workcells", PAST_MIB + 8, LARGEST_WORKCELL, 1500, SHIPPED, options=()),
+    calls("past-models", PAST_MIB + 8, WORKCELL + call("reset"), 4000, SHIPPED, options=()),
+    calls("past-snapshots", PAST_MIB + 16, call("snapshot_save", name="a") + call("reset"), 200, options=()),
     *(request_cost(name, data) for name, data in INVALID.items()),
-    request_cost("workcell", largest_workcell_call()),
+    request_cost("workcell", LARGEST_WORKCELL),
 ]

@@ -4,7 +4,6 @@ and forth, and opens cells from its past. The others are in another cell of the 
 import random
 
 from attack import Beside
-from cells import HUNDRED
 from target import json_line
 
 CELL = "2"
@@ -64,7 +63,7 @@ def branches():
 
 ATTACKS = [
     Beside("past.look", flood(looks()), options=TWO),
-    Beside("past.look-at-all", flood(looks(channels=CHANNELS)), HUNDRED, options=TWO),
+    Beside("past.look-at-all", flood(looks(channels=CHANNELS)), options=TWO),
     Beside("past.look-many-clients", flood(looks(), count=20), options=TWO),
     Beside("past.history", flood([ask_cell("history")], count=4), options=TWO),
     Beside("past.seek", flood(seeks()), options=TWO),

@@ -14,9 +14,6 @@ from support import DEADLINE_S, Server
 
 CYCLES = 3000
 PORTS = 16
-# Beside a storm, the bytes of another pseudo-terminal wait for the kernel, those of a bystander as long as those for the
-# server, and a step waits for them.
-KERNEL_MS = 250
 TURNS = 5  # of filling the ports: what the server reads meanwhile makes room
 PAUSE_S = 0.2
 MOST_READ = 1 << 16
@@ -163,26 +160,28 @@ def fill(programs, data):
 
 
 def beside(name, load, **more):
-    return Beside(f"pty.{name}", load, port=Pty, **more)
+    return Beside(f"pty.{name}", load, **{"port": Pty, **more})
 
 
-def around(name, load):
-    """Beside another line, a line on another pseudo-terminal, and steps of time, which wait for all pseudo-terminals."""
-    return [beside(name, load), Beside(f"pty.{name}/other-pty", load, port=TwoPtys, victim="pty", own_bound=KERNEL_MS),
-            beside(f"{name}/steps", load, victim="step", clock="manual", own_bound=STEP_MS)]
+def steps_beside(name, load):
+    """Steps of time wait for all pseudo-terminals."""
+    return beside(f"{name}-steps", load, victim="step", clock="manual", bound=STEP_MS)
 
 
 ATTACKS = [
     beside("garbage", flood(GARBAGE)),
     beside("garbage-unread", flood(GARBAGE, reads=False)),
-    *around("inquiries", flood(b"E?" * 1000)),
+    beside("inquiries", flood(b"E?" * 1000)),
+    beside("inquiries-other-pty", flood(b"E?" * 1000), port=TwoPtys, victim="pty"),
+    steps_beside("inquiries", flood(b"E?" * 1000)),
     beside("inquiries-unread", flood(b"E?" * 1000, reads=False)),
     beside("images-unread", flood(b"A**" * 100, reads=False)),
     beside("moves", flood(MOVES + b"A**")),
-    *around("storm", storm(b"E?")),
-    *around("storm-half", storm(b"E+5")),
-    *around("toggles", toggle),
-    *around("cooked", cook_each_line),
+    beside("storm", storm(b"E?")),
+    steps_beside("storm", storm(b"E?")),
+    beside("storm-half", storm(b"E+5")),
+    beside("toggles", toggle),
+    beside("cooked", cook_each_line),
     Attack("pty.unread-inquiries", 5, "% of a core", idle_share(b"E?")),
     Attack("pty.unread-images", 5, "% of a core", idle_share(b"A**")),
     Attack("pty.unread-left", 5, "% of a core", left_unread),

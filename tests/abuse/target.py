@@ -14,7 +14,6 @@ LOCALHOST = "127.0.0.1"
 PATIENCE_S = 30.0
 BLOCK_BYTES = 64 * 1024
 MOST_AT_ONCE = 1 << 20
-BURST = 1000
 RESET = struct.pack("ii", 1, 0)  # of SO_LINGER
 
 
@@ -130,11 +129,11 @@ class Target:
             if number == 20:
                 self.ready()
 
-    def bursts(self, port, data=b""):
-        """Many connections at once, which send something and end at once, again and again."""
+    def bursts(self, port, data, count):
+        """Connections at once, which send something and end at once, again and again."""
         while True:
             with contextlib.ExitStack() as stack:
-                socks = [stack.enter_context(socket.socket()) for _ in range(BURST)]
+                socks = [stack.enter_context(socket.socket()) for _ in range(count)]
                 for sock in socks:
                     sock.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, RESET)
                     sock.setblocking(False)

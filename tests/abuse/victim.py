@@ -1,11 +1,9 @@
 #!/usr/bin/python3
 """A well-behaved client in a process of its own: sends an inquiry each millisecond, or a ping each five milliseconds,
 whether or not the replies to the earlier ones have arrived, or one step of time after another. For each line of its
-input it does so for some seconds on a connection of its own, and prints how long the replies took, how long the server
-worked meanwhile (its processor time does not depend on other programs on the machine), and how long the slowest
-bystander took: on each core, and on a pseudo-terminal if that is asked for, an idle program echoes what it gets.
-Usage: victim.py PORT PID SECONDS line|pty|session|step ADDRESS [pty]. It connects from the ADDRESS. PORT is a path for
-`pty`."""
+input it does so for some seconds on a connection of its own, and prints how long the event loop of the server ran
+between an inquiry and its reply (other programs on the machine do not change that), and how long the reply took.
+Usage: victim.py PORT PID SECONDS line|pty|session|step. PORT is a path for `pty`."""
 
 import collections
 import ctypes
@@ -13,17 +11,14 @@ import gc
 import json
 import math
 import os
-import pathlib
 import select
 import socket
 import struct
-import subprocess
 import sys
 import time
 
 from target import LOCALHOST
 
-ECHO = pathlib.Path(__file__).with_name("echo.py")
 PATIENCE_NS = 60 * 10**9
 SO_TIMESTAMPNS = 35
 # A client that sends each millisecond has many segments in flight if each reply takes some. The kernel allows ten in a
@@ -35,22 +30,17 @@ PERF_EVENT_OPEN = {"x86_64": 298, "aarch64": 241}
 PERF_TYPE_SOFTWARE, PERF_COUNT_SW_TASK_CLOCK, PERF_ATTR_SIZE = 1, 1, 64
 
 
-def process_clock(pid):
-    """A function that returns the processor time of a process, in nanoseconds: see clock_getcpuclockid(3)."""
-    clock = (~pid << 3) | 2
-    return lambda: time.clock_gettime_ns(clock)
-
-
 def processor_clock(pid):
-    """A function that returns the processor time of a process's main thread, in nanoseconds: see perf_event_open(2)
-    (a counter of software, the task clock). Where that is not allowed, the clock of the whole process, which the kernel
-    advances every 4 ms."""
+    """A function that returns the time for which a process's main thread, the event loop of the server, has run, in
+    nanoseconds: see perf_event_open(2) (a counter of software, the task clock). Where that is not allowed, from
+    /proc/PID/schedstat, which the kernel advances at each switch of threads and each tick (mostly 4 ms)."""
     attributes = struct.pack("IIQ", PERF_TYPE_SOFTWARE, PERF_ATTR_SIZE, PERF_COUNT_SW_TASK_CLOCK)
     number = PERF_EVENT_OPEN.get(os.uname().machine, -1)
     descriptor = ctypes.CDLL(None).syscall(number, attributes.ljust(PERF_ATTR_SIZE, b"\0"), pid, -1, -1, 0)
     if descriptor >= 0:
         return lambda: int.from_bytes(os.read(descriptor, 8), sys.byteorder)
-    return process_clock(pid)
+    schedstat = os.open(f"/proc/{pid}/schedstat", os.O_RDONLY)
+    return lambda: int(os.pread(schedstat, 64, 0).split()[0])
 
 
 class Line:
@@ -63,11 +53,10 @@ class Line:
     BURSTS = 4  # before the measurement, see CONGESTION_CONTROL
     HAS_ONE_AT_A_TIME = False
 
-    def __init__(self, port, address=LOCALHOST):
+    def __init__(self, port):
         self.socket = socket.socket()
         self.socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         self.socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_CONGESTION, CONGESTION_CONTROL)
-        self.socket.bind((address, 0))
         self.socket.connect((LOCALHOST, int(port)))
         self.socket.setsockopt(socket.SOL_SOCKET, SO_TIMESTAMPNS, 1)
         self.send()
@@ -110,7 +99,7 @@ class Line:
 class Pty(Line):
     """The same on a pseudo-terminal, which does not tell when replies arrived: the time is that at which they are read."""
 
-    def __init__(self, path, _):
+    def __init__(self, path):
         self.socket = open(path, "r+b", buffering=0, opener=lambda path, flags: os.open(path, flags | os.O_NOCTTY))
         self.send()
         self.read_replies(self.FIRST_REPLIES)
@@ -145,40 +134,12 @@ class Step(Session):
     REQUEST = b'{"op":"call","id":1,"fn":"step","args":{"ticks":1,"fields":[]}}\n'
 
 
-class Bystander(Line):
-    """The same from an idle process on one core that does not know the server: what it waits, the machine costs."""
-
-    EVERY_NS = 2_000_000
-    REQUEST = b"?"
-    BURSTS = 0
-
-    def __init__(self, core):
-        self.process = subprocess.Popen([sys.executable, ECHO, str(core)], stdout=subprocess.PIPE)
-        super().__init__(int(self.process.stdout.readline()))
-
-    def end(self):
-        self.process.kill()
-        self.process.communicate()
-
-
-class PtyBystander(Pty):
-    """The same on a pseudo-terminal."""
-
-    EVERY_NS = 2_000_000
-    REQUEST = b"?"
-
-    def __init__(self):
-        self.process = subprocess.Popen([sys.executable, ECHO, "pty"], stdout=subprocess.PIPE)
-        super().__init__(self.process.stdout.readline().decode().strip(), None)
-
-    end = Bystander.end
-
-
 class Probe:
     """A line, its inquiries that wait for their replies, and for each reply its time and what `worked` advanced by
-    meanwhile."""
+    meanwhile. This process may read a reply late: then the server has gone on working, but the time of the kernel's
+    arrival limits what counts."""
 
-    def __init__(self, line, worked=lambda: 0):
+    def __init__(self, line, worked):
         self.line, self.worked = line, worked
         self.sent, self.waits = collections.deque(), []
         self.due = time.time_ns()
@@ -196,25 +157,17 @@ class Probe:
             self.waits.append((arrived - sent_at, min(work - worked_before, arrived - sent_at)))
         self.due = min(self.due, time.time_ns() + self.line.EVERY_NS)
 
-    def give_up(self, now):
-        self.waits += [(now - each, 0) for each, _ in self.sent]
-
-
-def measure(probes, seconds):
-    """Lets the probes ask for so long, and waits for the last replies."""
-    ends = time.time_ns() + int(seconds * 10**9)
-    by_socket = {each.line.socket: each for each in probes}
-    while (now := time.time_ns()) < ends or any(each.sent for each in probes):
-        if now > ends + PATIENCE_NS:
-            for each in probes:
-                each.give_up(now)
-            return
-        for each in probes:
-            if each.due <= now < ends:
-                each.send(now)
-        left_s = (min(each.due for each in probes) - time.time_ns()) / 1e9 if now < ends else 1.0
-        for readable in select.select(list(by_socket), [], [], max(left_s, 0))[0]:
-            by_socket[readable].read()
+    def measure(self, seconds):
+        """Asks for these seconds, and waits for the last replies."""
+        ends = time.time_ns() + int(seconds * 10**9)
+        while (now := time.time_ns()) < ends or self.sent:
+            if now > ends + PATIENCE_NS:
+                raise TimeoutError(f"{len(self.sent)} inquiries of the well-behaved client have no reply")
+            if self.due <= now < ends:
+                self.send(now)
+            left_s = (self.due - time.time_ns()) / 1e9 if now < ends else 1.0
+            if select.select([self.line.socket], [], [], min(max(left_s, 0), 1.0))[0]:
+                self.read()
 
 
 def quantiles(values):
@@ -224,16 +177,13 @@ def quantiles(values):
     return {"p50": at(0.5), "p99": at(0.99), "max": at(1)}
 
 
-def figures(opener, worked, bystanders, seconds):
+def figures(opener, worked, seconds):
     """A round."""
     with opener() as line:
-        server = Probe(line, worked)
-        probes = [Probe(each) for each in bystanders]
-        measure([server, *probes], seconds)
-    waits, work = zip(*server.waits)
-    return {"waits": quantiles(waits), "work": quantiles(work),
-            "bystander": max((quantiles(wait for wait, _ in each.waits) for each in probes),
-                             key=lambda each: each["p99"])}
+        probe = Probe(line, worked)
+        probe.measure(seconds)
+    waits, work = zip(*probe.waits)
+    return {"waits": quantiles(waits), "work": quantiles(work)}
 
 
 KINDS = {"line": Line, "pty": Pty, "session": Session, "step": Step}
@@ -241,16 +191,10 @@ KINDS = {"line": Line, "pty": Pty, "session": Session, "step": Step}
 
 def main():
     gc.disable()
-    _, port, pid, seconds, kind, address, *more = sys.argv
-    opener = lambda: KINDS[kind](port, address)
-    bystanders = [Bystander(core) for core in os.sched_getaffinity(0)]
-    if more == ["pty"]:
-        bystanders.append(PtyBystander())
+    _, port, pid, seconds, kind = sys.argv
     worked = processor_clock(int(pid))
     for _ in sys.stdin:
-        print(json.dumps(figures(opener, worked, bystanders, float(seconds))), flush=True)
-    for each in bystanders:
-        each.end()
+        print(json.dumps(figures(lambda: KINDS[kind](port), worked, float(seconds))), flush=True)
 
 
 if __name__ == "__main__":

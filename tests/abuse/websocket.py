@@ -3,8 +3,7 @@
 import base64
 import struct
 
-from attack import beside
-from cells import LARGEST, SHIPPED
+from attack import Beside
 from target import get, json_line
 
 KEY = base64.b64encode(bytes(range(16))).decode()
@@ -57,19 +56,19 @@ PING_REQUEST = b'{"op":"ping","id":1}'
 ENDLESS = frame(TEXT, b"{", False) + frame(CONTINUATION, b" ", False) * 100_000
 
 ATTACKS = [
-    *beside("websocket.bytes", flood(fragments(PING_REQUEST, 1)), SHIPPED),
-    *beside("websocket.pings", flood(frame(PING, b"x" * 125)), SHIPPED),
-    *beside("websocket.pings-unread", unread(frame(PING, b"x" * 125)), SHIPPED),
-    *beside("websocket.pongs", flood(frame(PONG)), SHIPPED),
-    *beside("websocket.fragments", flood(fragments(b'{"op":"ping","more":"' + b"x" * 250_000 + b'"}', 1)), SHIPPED),
-    *beside("websocket.empty-frames", flood(frame(TEXT, b"", False) + frame(CONTINUATION, b"", False) * 10_000
-                                            + frame(CONTINUATION, PING_REQUEST)), SHIPPED),
-    *beside("websocket.unfinished", flood(ENDLESS), SHIPPED),
-    *beside("websocket.large", flood(frame(TEXT, b'{"op":"ping","more":"' + b"x" * 250_000 + b'"}')), SHIPPED),
-    *beside("websocket.requests", flood(frame(TEXT, PING_REQUEST)), SHIPPED),
-    *beside("websocket.states", flood(text("get", channel="state")), SHIPPED, LARGEST),
-    *beside("websocket.images", flood(text("get", channel="image")), SHIPPED, LARGEST),
-    *beside("websocket.events", flood(text("get", channel="event", since=1)), SHIPPED),
-    *beside("websocket.errors", flood(frame(TEXT, b"{}")), SHIPPED),
-    *beside("websocket.handshakes", lambda target: target.flood(target.page, HANDSHAKE, count=20), SHIPPED),
+    Beside("websocket.bytes", flood(fragments(PING_REQUEST, 1))),
+    Beside("websocket.pings", flood(frame(PING, b"x" * 125))),
+    Beside("websocket.pings-unread", unread(frame(PING, b"x" * 125))),
+    Beside("websocket.pongs", flood(frame(PONG))),
+    Beside("websocket.fragments", flood(fragments(b'{"op":"ping","more":"' + b"x" * 250_000 + b'"}', 1))),
+    Beside("websocket.empty-frames", flood(frame(TEXT, b"", False) + frame(CONTINUATION, b"", False) * 10_000
+                                           + frame(CONTINUATION, PING_REQUEST))),
+    Beside("websocket.unfinished", flood(ENDLESS)),
+    Beside("websocket.large", flood(frame(TEXT, b'{"op":"ping","more":"' + b"x" * 250_000 + b'"}'))),
+    Beside("websocket.requests", flood(frame(TEXT, PING_REQUEST))),
+    Beside("websocket.states", flood(text("get", channel="state"))),
+    Beside("websocket.images", flood(text("get", channel="image"))),
+    Beside("websocket.events", flood(text("get", channel="event", since=1))),
+    Beside("websocket.errors", flood(frame(TEXT, b"{}"))),
+    Beside("websocket.handshakes", lambda target: target.flood(target.page, HANDSHAKE, count=20)),
 ]
