@@ -31,10 +31,12 @@ Image camera_image(const Model& model, const State& state) {
 }
 
 Image camera_row(const Model& model, const State& state, int row) {
+  assert(model.workcell().camera);
   return rows(model, state, row, 1);
 }
 
 bool camera_pixel(const Model& model, const State& state, int column, int row) {
+  assert(model.workcell().camera);
   return camera_row(model, state, row).at(column, 0);
 }
 

@@ -20,19 +20,20 @@ inline constexpr Micrometres kNearestSightUm = 1000;
 /// other lines wait meanwhile.
 inline constexpr std::int64_t kMaxCameraRows = 500'000;
 
-/// The numbers of rows of the image that the blocks take, added up, if none is held; 0 without a
-/// camera.
+/// The sum of the numbers of image rows that the blocks occupy if none is held; 0 without a camera.
 std::int64_t camera_rows(const Workcell& workcell, const std::vector<Block>& blocks);
 
 /// The whole image. A pixel is 1 if its centre lies in the projection of a block; edges at low x
-/// and low y belong to the projection, those at high x and high y do not. Precondition of all three
-/// functions: the workcell has a camera.
+/// and low y belong to the projection, those at high x and high y do not. Precondition: the
+/// workcell has a camera.
 Image camera_image(const Model& model, const State& state);
 
-/// One row of it, 0...pixels_y - 1 from the top, as an image one pixel high.
+/// One row of camera_image(), 0...pixels_y - 1 from the top, as an image one pixel high.
+/// Precondition: the workcell has a camera.
 Image camera_row(const Model& model, const State& state, int row);
 
-/// One pixel of it: column 0...pixels_x - 1 from the left, row 0...pixels_y - 1 from the top.
+/// One pixel of camera_image(): column 0...pixels_x - 1 from the left, row 0...pixels_y - 1 from
+/// the top. Precondition: the workcell has a camera.
 bool camera_pixel(const Model& model, const State& state, int column, int row);
 
 }  // namespace xr3

@@ -11,23 +11,23 @@ namespace xr3 {
 /// Whether a place, seen from above, is within the carousel's radius; false without a carousel.
 bool is_over_carousel(const Model& model, Micrometres x, Micrometres y);
 
-/// z of what carries a block at this place: the top of the carousel within its radius, elsewhere
+/// z of the support of a block at this place: the top of the carousel within its radius, elsewhere
 /// the work surface.
 Micrometres surface_um(const Model& model, Micrometres x, Micrometres y);
 
-/// By how much the footprint of a block reaches over the carousel: the shortest horizontal distance
-/// by which it would have to move. 0 or less if it does not, or without a carousel.
+/// The depth by which a block's footprint overlaps the carousel: the shortest horizontal distance
+/// by which it would have to move. 0 or less if it does not overlap, or without a carousel.
 Micrometres overhang_um(const Model& model, const Block& block);
 
-/// The block of a rider where the carousel's count puts it. Computed from the place where the block
-/// was put, so that rounding errors do not add up.
+/// The block of a rider at the carousel's count. Computed from the place where the block was put,
+/// so that rounding errors do not add up.
 Block as_turned(const Model& model, const State& state, const Rider& rider);
 
-/// Moves the riders to where the carousel's count puts them. To be called after it has changed.
+/// Moves the riders to their places at the carousel's count. Call after the count has changed.
 void carry_riders(const Model& model, State& state);
 
-/// Finds the blocks that ride on the carousel. To be called after the pose, the number or the
-/// holding of blocks has changed. A rider that has not been moved otherwise keeps its entry.
+/// Finds the blocks that ride on the carousel. Call after the pose, the number or the holding of
+/// blocks has changed. A rider that has not been moved otherwise keeps its entry.
 void find_riders(const Model& model, State& state);
 
 }  // namespace xr3

@@ -17,7 +17,7 @@ constexpr bool operator==(const Value& /*a*/, const Value& /*b*/) {
   return true;
 }
 
-// --- Replies. Each inquiry names the type of its own: Answer.
+// --- Replies. Each inquiry names the type of its reply: Answer.
 
 /// Reply to `a?`: |error counter|, 0...128.
 struct ErrorMagnitude {
@@ -56,7 +56,7 @@ struct PixelValue {
 
 // --- Motion and inquiry (paper, Table VI). Labels are 'A'...'H'.
 
-/// Add counts to the joint's error counter.
+/// Adds counts to the joint's error counter.
 struct Move {
   static constexpr int kMin = -128;
   static constexpr int kMax = 127;
@@ -71,7 +71,7 @@ struct SetSpeed {
   int counts_per_s;
   bool operator==(const SetSpeed&) const = default;
 };
-/// Error counter := 0.
+/// Sets the error counter to 0.
 struct Stop {
   char label;
   bool operator==(const Stop&) const = default;
@@ -137,16 +137,16 @@ struct SetViewVector {
 };
 /// `A$`: moves joints and tool to the file's home values and clears a stall.
 struct SoftHome {};
-/// `A@`: enable or disable the simulator.
+/// `A@`: enables or disables the simulator.
 struct ToggleSimulator {};
-/// `A.x`: in half seconds.
+/// `A.x`: the refresh period in half seconds.
 struct SetRefreshPeriod {
   static constexpr int kMin = 1;
   static constexpr int kMax = 255;
   int half_seconds;
   bool operator==(const SetRefreshPeriod&) const = default;
 };
-/// `A|`: toggle erasing before redrawing.
+/// `A|`: toggles erasing before redrawing.
 struct ToggleErasing {};
 /// `A%n`: status line option 0...kMax.
 struct SelectStatus {

@@ -1,5 +1,5 @@
 // The derived part of a state, recomputed from the rest. Core updates it incrementally; this is for
-// states that come from outside and uses the same functions.
+// states from outside, such as snapshots, and uses the functions of the incremental update.
 #pragma once
 
 #include "core/model.hpp"

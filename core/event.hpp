@@ -14,7 +14,7 @@ namespace xr3 {
 /// The reason why a motor with a nonzero error counter does not move.
 enum class Blocked : std::uint8_t {
   kNo,
-  kLimit,  ///< its next count would move a joint past a limit
+  kLimit,  ///< the next count would move a joint past a limit
   kBlock,  ///< the jaws hold a block and cannot close further
 };
 
@@ -119,14 +119,14 @@ struct Warning {
 
 enum class FaultPhase : std::uint8_t { kSet, kCleared, kBegan, kEnded, kEffect };
 
-/// News of a fault on demand; see core/faults.
+/// The begin, end or effect of a fault on demand; see core/faults.
 struct FaultNews {
-  std::string fault;  ///< its name
+  std::string fault;  ///< name of the fault
   FaultKind kind = FaultKind::kByteDropped;
   FaultPhase phase = FaultPhase::kEffect;
   std::uint64_t effects = 0;  ///< so far, this one included
-  char label = 0;             ///< the joint concerned; 0: none
-  std::int64_t at = 0;        ///< of an effect: the motor's count, or the offset of the byte
+  char label = 0;             ///< label of the joint concerned; 0 if there is none
+  std::int64_t at = 0;        ///< kEffect: the motor's count, or the offset of the byte
   std::uint32_t line = 0;     ///< line_disconnected at a tick: the line, 0 for all
   bool operator==(const FaultNews&) const = default;
 };

@@ -106,8 +106,8 @@ class Executor {
     update_blocked(model_, state_, positions(model_, state_.motors), events_);
   }
 
-  // Whether there is a camera with such a pixel. If not, emits a warning; if so, faults of the
-  // camera have their effect.
+  // Whether the camera has this pixel. If not, emits a warning; if so, applies the effects of
+  // faults of the camera.
   bool uses_pixel(int column, int row) {
     const auto& camera = model_.workcell().camera;
     const bool has =

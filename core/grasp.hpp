@@ -54,8 +54,8 @@ Micrometres flat_extent_um(const Block& block, int quarter_turns);
 /// the next closing count, which must be within the limits, would be too narrow.
 bool can_hold(const Model& model, const Block& block, const Held& held);
 
-/// Call it when a closing move has ended: warns if the jaws stopped at the width of a block, so
-/// that the next closing count would hold it (`jaws_touch`).
+/// Warns if the jaws stopped at the width of a block, so that the next closing count would hold it
+/// (`jaws_touch`). Call when a closing move has ended.
 void warn_of_touch(const Model& model, const State& state, const Positions& positions,
                    Events& events);
 

@@ -7,8 +7,8 @@
 
 namespace xr3 {
 
-/// The first invariant that the state violates, as a sentence; nullptr if all of them hold. The
-/// cost is linear in the number of motors, and of blocks on the carousel.
+/// The first invariant that the state violates, as a sentence; nullptr if all of them hold. Linear
+/// in the number of motors, and of blocks on the carousel.
 const char* broken_invariant(const Model& model, const State& state);
 
 }  // namespace xr3

@@ -14,13 +14,13 @@ namespace xr3 {
 using Transform = Eigen::Matrix4d;  ///< homogeneous, lengths in mm
 using ToolConfiguration = Eigen::Matrix<double, 6, 1>;
 
-/// The paper's equation (2), of a row with these angles.
+/// The matrix of the paper's equation (2), for a row with these angles.
 Transform row_transform(const SinCos& theta, const SinCos& alpha, double d_mm, double a_mm);
 
 /// T(k-1,k) of joint `joint` (index k-1) at a position.
 Transform link_transform(const Model& model, int joint, Counts position);
 
-/// From the base frame to frame 0: the robot's mount, or the identity.
+/// The transform from the base frame to frame 0: the robot's mount, or the identity.
 Transform mount_transform(const Model& model);
 
 /// T(0,k) for k = 0...n, the paper's equation (3), behind the mount; element 0 is the mount.
@@ -33,14 +33,15 @@ Transform tool_transform(const Model& model, const Positions& positions);
 /// The tool tip in the base frame: bit-identical on every machine for the same counts.
 PointUm tool_tip(const Model& model, const Positions& positions);
 
-/// How far the arm's first joints, if they are prismatic, have moved the rest of the arm from its
-/// place at the soft home; horizontally, z is 0.
+/// The displacement of the arm from its place at the soft home by its first joints, if they are
+/// prismatic; horizontal, z is 0.
 PointUm base_shift(const Model& model, const Positions& positions);
 
 /// w = (p, exp(q_n / pi) * approach): mm, then dimensionless; q_n is the last joint's variable in
 /// radians (mm for a prismatic one). For display only.
 ToolConfiguration tool_configuration(const Model& model, const Positions& positions);
-/// The same for a tool frame T(0,n) and the last joint's variable, in degrees or mm.
+/// The vector of tool_configuration() for a tool frame T(0,n) and the last joint's variable, in
+/// degrees or mm.
 ToolConfiguration configuration_of(const Transform& pose, const Robot& robot, double last);
 
 /// Yaw of the tool's x axis about the vertical with the tool down, in degrees (paper,

@@ -37,14 +37,14 @@ struct MotorModel {
   Counts low = 0;           ///< minimum joint position within the limits, counts from the soft home
   Counts high = 0;          ///< maximum joint position within the limits
   CountRange closed{0, 0};  ///< the motor's counts at which its microswitch is closed
-  Counts period = 0;        ///< counts after which the range repeats; 0: it does not
+  Counts period = 0;        ///< counts after which the range repeats; 0 if it does not
 
-  /// By how many counts a position is past a limit; 0 within both.
+  /// The number of counts by which a position is past a limit; 0 within both.
   Counts excess(Counts position) const { return std::max({low - position, position - high, 0}); }
   bool operator==(const MotorModel&) const = default;
 };
 
-/// A joint that a motor moves, and by how many counts per count of the motor.
+/// A joint that a motor moves, and its counts per count of the motor.
 struct CoupledJoint {
   std::uint8_t joint = 0;
   std::int8_t gain = 0;
@@ -53,10 +53,10 @@ struct CoupledJoint {
 
 /// The carousel in the units of decisions.
 struct CarouselModel {
-  Micrometres x_um = 0;  ///< of its axis
+  Micrometres x_um = 0;  ///< x of the axis
   Micrometres y_um = 0;
   Micrometres radius_um = 0;
-  Micrometres top_um = 0;  ///< z of its top
+  Micrometres top_um = 0;  ///< z of the top
   double step_deg = 0;     ///< the turn per count, counterclockwise from above
 };
 
@@ -68,7 +68,7 @@ struct MountAngles {
 
 class Model {
  public:
-  /// Computes the integers and tables. `robot` must have passed the rules of robot files
+  /// Computes the integers and tables. Precondition: `robot` satisfies the rules of robot files
   /// (1...kMaxJoints joints).
   Model(Robot robot, Workcell workcell, Profile profile);
 
@@ -77,10 +77,10 @@ class Model {
   Profile profile() const { return profile_; }
 
   int joint_count() const { return joint_count_; }
-  /// One motor per joint, from the base, then the tool's, then the carousel's.
+  /// The number of motors: one per joint, from the base, then the tool's, then the carousel's.
   int motor_count() const { return motor_count_; }
   int tool_index() const { return joint_count_; }
-  /// -1 without a carousel.
+  /// Index of the carousel's motor; -1 without a carousel.
   int carousel_index() const { return carousel_ ? joint_count_ + 1 : -1; }
 
   const MotorModel& motor(int index) const { return motors_[static_cast<std::size_t>(index)]; }
@@ -100,7 +100,7 @@ class Model {
   const std::vector<CoupledJoint>& driven_by(int index) const {
     return driven_[static_cast<std::size_t>(index)];
   }
-  /// Counts by which joint `joint` moves per count of motor `motor`; 1 on the diagonal.
+  /// Counts of joint `joint` per count of motor `motor`; 1 on the diagonal.
   int gain(int joint, int motor) const {
     return gain_[static_cast<std::size_t>(joint)][static_cast<std::size_t>(motor)];
   }
@@ -139,9 +139,9 @@ class Model {
   Workcell workcell_;
   Profile profile_;
   std::vector<MotorModel> motors_;
-  int joint_count_;  ///< a member, as is motor_count_, because loops of every tick ask for it
+  int joint_count_;  ///< a member, like motor_count_, because loops of every tick read it
   int motor_count_;
-  std::array<std::int8_t, kLastLabel - 'A' + 1> indices_{};  ///< of motors by label, or -1
+  std::array<std::int8_t, kLastLabel - 'A' + 1> indices_{};  ///< index of the motor by label, or -1
   std::array<std::vector<CoupledJoint>, kMaxMotors> driven_;
   std::array<std::array<std::int8_t, kMaxMotors>, kMaxMotors> gain_{};
   std::vector<SinCosTable> thetas_;

@@ -40,7 +40,7 @@ struct MotorTickResult {
   bool joint = false;     ///< a joint moved, not only tool or carousel
   bool table = false;     ///< the carousel turned
   bool opened = false;    ///< the tool's motor made an opening count
-  JawContact jaws;        ///< what the tool's closing count met
+  JawContact jaws;        ///< the obstacle to the tool's closing count
 };
 
 /// One tick of every motor: joints from the base, the tool, then the carousel. The check of each
@@ -48,8 +48,8 @@ struct MotorTickResult {
 /// faults.
 MotorTickResult turn_motors(const Model& model, State& state, Positions& positions, Events& events);
 
-/// Recomputes which motors are blocked and appends an event for each newly blocked one. To be
-/// called after counts were made or error counters changed.
+/// Recomputes which motors are blocked and appends an event for each newly blocked one. Call after
+/// counts were made or error counters changed.
 void update_blocked(const Model& model, State& state, const Positions& positions, Events& events);
 
 }  // namespace xr3

@@ -15,10 +15,10 @@ namespace {
 /// The support below a block, and the block that it overlaps.
 struct Placement {
   Micrometres support_um = 0;         ///< z of the top of `support`
-  const Block* support = nullptr;     ///< nullptr: the work surface or the carousel
+  const Block* support = nullptr;     ///< nullptr if it is the work surface or the carousel
   const Block* overlapped = nullptr;  ///< the first one in the list
   int overlaps = 0;
-  bool is_in_carousel = false;  ///< it overlaps the carousel
+  bool is_in_carousel = false;  ///< whether the block overlaps the carousel
   char surface = 'A';           ///< the label of the carousel if the block is above it
 };
 
@@ -86,7 +86,8 @@ bool overlaps_anything(const Placement& placement) {
   return placement.overlaps > 0 || placement.is_in_carousel;
 }
 
-/// Other blocks first; `label` is that of the carousel if it is the only thing overlapped.
+/// A warning that names an overlapped block first; `label` is that of the carousel if the block
+/// overlaps nothing else.
 Warning overlap_warning(const Model& model, const Block& block, const Placement& placement) {
   if (placement.overlaps == 0)
     return {WarningCode::kBlocksOverlap, carousel_label(model), 0, 0, block.name};

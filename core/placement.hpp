@@ -24,7 +24,7 @@ inline Micrometres top_um(const Block& block) { return bottom_um(block) + block.
 /// one of them would have to move. 0 if they touch, negative if they are apart.
 Micrometres footprint_overlap_um(const Block& a, const Block& b);
 
-/// How far the underside of the block is above what is below it: another block, the carousel or the
+/// The height of the underside of the block above its support: another block, the carousel or the
 /// work surface. Precondition: the block exists and is not held.
 Micrometres height_above_support_um(const Model& model, const State& state, std::size_t block);
 
@@ -33,9 +33,9 @@ Micrometres height_above_support_um(const Model& model, const State& state, std:
 /// exists and is not held.
 void warn_of_overlap(const Model& model, const State& state, std::size_t block, Events& events);
 
-/// The same for a block that was released; if it overlaps nothing, warns if its underside is
-/// further above the work surface, the carousel, or the highest block below it, than the tolerance
-/// (`released_in_air`).
+/// Warns like warn_of_overlap(); if the block overlaps nothing, warns if its underside is further
+/// above the work surface, the carousel, or the highest block below it, than the tolerance
+/// (`released_in_air`). Precondition: the block exists and is not held.
 void warn_of_placement(const Model& model, const State& state, std::size_t block, Events& events);
 
 }  // namespace xr3

@@ -27,14 +27,14 @@ using Positions = std::array<Counts, kMaxMotors>;
 /// Which Denavit-Hartenberg parameter the motor changes (the paper's jvar 1 and 2).
 enum class JointVariable : std::uint8_t { kTheta, kD };
 
-/// How the fingers close: on a slide (the variable is a distance in mm) or on hinges (an angle in
-/// degrees).
+/// The motion of the fingers: on a slide (the variable is a distance in mm) or on hinges (an angle
+/// in degrees).
 enum class ToolKind : std::uint8_t { kParallel, kAngular };
 
 /// A microswitch, driven by the count of its own motor.
 struct Microswitch {
-  Counts position = 0;          ///< where it closes; its sign is the side on which it is closed
-  std::uint8_t mask = 0;        ///< its bit in the reply to I or J; 0: in neither reply
+  Counts position = 0;    ///< count at which it closes; the sign is the side on which it is closed
+  std::uint8_t mask = 0;  ///< bit in the reply to I or J; 0 if in neither
   std::optional<Counts> width;  ///< if set, closed only while 2*|count - position| <= width
   /// If set, the switch closes again after this number of counts, as that of a joint without stops
   /// does once a turn. Only the mark3 profile uses it.
@@ -110,10 +110,10 @@ struct Tool {
 struct Carousel {
   std::string name;
   Drive drive;
-  double x_mm = 0;  ///< of its axis, in the base frame
+  double x_mm = 0;  ///< x of the axis, in the base frame
   double y_mm = 0;
   double radius_mm = 0;
-  double height_mm = 0;  ///< of its top above the base plane
+  double height_mm = 0;  ///< height of the top above the base plane
   int color = 0;         ///< palette index 0...15
   bool operator==(const Carousel&) const = default;
 };

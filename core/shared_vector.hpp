@@ -1,5 +1,5 @@
-// A vector that its copies share until one of them changes: a copy of the many blocks of a
-// workcell costs a pointer, so a snapshot, a checkpoint and a client's view need no copy of them.
+// A vector that its copies share until one of them changes: a copy of the blocks of a workcell
+// costs a pointer, so a snapshot, a checkpoint and a client's view need no copy of them.
 #pragma once
 
 #include <atomic>
@@ -11,7 +11,7 @@
 
 namespace xr3 {
 
-/// A regular value, as the vector would be. Copies may be used by different threads.
+/// A regular value, like std::vector. Copies may be used by different threads.
 template <class Value>
 class SharedVector {
  public:
@@ -34,7 +34,7 @@ class SharedVector {
   auto begin() const { return all().begin(); }
   auto end() const { return all().end(); }
 
-  /// The values, for changing them before the next copy is made. Copies them if they are shared.
+  /// The values, for changes before the next copy is made. Copies them if they are shared.
   std::vector<Value>& edit() {
     if (!values_ || values_.use_count() > 1)
       values_ = std::make_shared<std::vector<Value>>(all());
@@ -43,7 +43,7 @@ class SharedVector {
     return *values_;
   }
 
-  /// Whether both are one copy, or both empty; if not, they may still be equal.
+  /// Whether both share one copy, or are both empty; if not, they may still be equal.
   bool is_shared_with(const SharedVector& other) const { return values_ == other.values_; }
   bool operator==(const SharedVector& other) const {
     return is_shared_with(other) || all() == other.all();
@@ -55,7 +55,7 @@ class SharedVector {
     return empty;
   }
 
-  std::shared_ptr<std::vector<Value>> values_;  ///< nullptr: empty
+  std::shared_ptr<std::vector<Value>> values_;  ///< nullptr if empty
 };
 
 }  // namespace xr3

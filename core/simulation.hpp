@@ -1,5 +1,18 @@
-// The simulated machine: a shared model, a state, the events that have not been taken yet, and the
+// The simulated machine: a shared model, a state, the events since the last take_events(), and the
 // cached camera image. (files, commands with their ticks) -> state is a pure function.
+//
+// The flow through core: the loaders of protocol/files fill a Robot and a Workcell (robot.hpp,
+// workcell.hpp), from which Model (model.hpp) computes all integers and tables once. State
+// (state.hpp) holds everything that changes. Time advances tick by tick (step.hpp): faults begin
+// and end (faults/), motors make counts unless a limit or a block stops them (motor.hpp,
+// coupling.hpp), the tip is computed and may stall the robot (kinematics.hpp, stall.hpp), then
+// carousel, switches and jaws follow (carousel.hpp, switches.hpp, grasp.hpp, placement.hpp). Ticks
+// without a count are skipped. Between ticks execute() (execute.hpp) runs a command of command.hpp
+// and returns its reply, and calls of the monitor change inputs, faults, blocks or the workcell
+// (workcell_edit.hpp). Each change appends an Event (event.hpp). Inquiries of the camera render an
+// image (camera.hpp, camera/). drawing/ and inverse/ only read models and states, for pictures and
+// planning. core prints nothing and reads no file, clock or thread: the caller supplies wall time
+// to sim_clock.hpp.
 #pragma once
 
 #include <cassert>
@@ -51,7 +64,7 @@ class Simulation {
     if (!is_camera_inquiry(command)) camera_.touch();
     return xr3::execute(*model_, state_, command, events_, camera_);
   }
-  /// Input line 1...8 from outside.
+  /// Sets input line 1...8.
   void set_input(int line, bool high) { xr3::set_input(state_, line, high, events_); }
 
   /// Restores the initial state of the model, at tick 0.
@@ -85,7 +98,7 @@ class Simulation {
     edit();
     return xr3::clear_faults(*model_, state_, name, events_);
   }
-  /// What arrives of the bytes that a line carries; see line_faults.hpp.
+  /// Applies the faults of a line to its bytes; see line_faults.hpp for this and the next two.
   Carried carry_input(const LinePlace& place, std::uint8_t byte) {
     return xr3::carry_input(*model_, state_, place, byte, events_);
   }

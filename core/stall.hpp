@@ -1,6 +1,6 @@
-// Where the tool tip may be: outside the protected region about the base axis (paper,
-// Section III-A) and above the work surface. Crossing the surface downwards warns, or stalls the
-// robot if the workcell has surface_stalls.
+// The places that the tool tip may not enter: the protected region about the base axis (paper,
+// Section III-A) and the space below the work surface. Crossing the surface downwards warns, or
+// stalls the robot if the workcell has surface_stalls.
 #pragma once
 
 #include "core/event.hpp"
@@ -9,16 +9,16 @@
 
 namespace xr3 {
 
-/// r < radius and z < height of the protected cylinder, in whole micrometres. The cylinder stands
-/// about the base axis, with which it moves if the arm is on a slide: see base_shift().
+/// Whether r < radius and z < height of the protected cylinder, in whole micrometres. The cylinder
+/// stands about the base axis, with which it moves if the arm is on a slide: see base_shift().
 bool is_in_protected_region(const Model& model, const Positions& positions, const PointUm& tip);
 
 /// Whether the tip is below the work surface, or the top of the carousel within its radius; at its
 /// height it is not.
 bool is_below_surface(const Model& model, const PointUm& tip);
 
-/// Why a robot with its tip here stalls, or kNo. A tip that is already below the surface may move
-/// on there.
+/// The reason why a robot with its tip here stalls, or kNo. A tip that is already below the surface
+/// may move on there.
 Stall stall_at(const Model& model, const State& state, const Positions& positions,
                const PointUm& tip);
 

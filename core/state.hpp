@@ -1,5 +1,5 @@
 // The complete mutable state of the machine as one regular value: a copy is a snapshot, and ==
-// tells whether two machines are in the same state. Integers only.
+// compares two machines. Integers only.
 #pragma once
 
 #include <array>
@@ -60,8 +60,9 @@ struct InputOutput {
 /// was grasped; block_pose() in grasp.hpp computes its current pose from that and the joints.
 struct Held {
   std::uint32_t block = 0;  ///< index in State::blocks
-  int quarter_turns = 0;    ///< of the block relative to the jaws: yaw = net roll + 90 deg * this
-  Positions grasped_at{};   ///< joint positions when it was grasped
+  int quarter_turns =
+      0;  ///< turns of the block relative to the jaws: yaw = net roll + 90 deg * this
+  Positions grasped_at{};  ///< joint positions when the block was grasped
   bool operator==(const Held&) const = default;
 };
 

@@ -92,7 +92,7 @@ void tick(const Model& model, State& state, Events& events) {
   update_blocked(model, state, positions, events);
 }
 
-// See is_at_rest(). Inline, because it is asked at every advance of time.
+// Whether is_at_rest(). Inline, because every advance of time calls it.
 inline bool rests(const Model& model, const State& state) {
   if (state.stall != Stall::kNo) return true;
   for (int i = 0; i < model.motor_count(); ++i) {
@@ -112,9 +112,10 @@ void step(const Model& model, State& state, Events& events) {
 
 namespace {
 
-// Goes on to `target` or until the machine is at rest, but makes at least the next step. Apart from
-// its callers, so that at rest they cost little. Precondition: state.tick < target.
+// Advances to `target` or until the machine is at rest, but makes at least the next step. Separate
+// from its callers, so that at rest they cost little. Precondition: state.tick < target.
 void run(const Model& model, State& state, Tick target, Events& events) {
+  assert(state.tick < target);
   do {
     coast(model, state, quiet_ticks(model, state, target - state.tick));
     if (state.tick < target) step(model, state, events);

@@ -9,11 +9,11 @@
 
 namespace xr3 {
 
-/// No motor will make a count without new input: each is done, blocked or stuck by a fault without
-/// an end, or the robot is stalled. Faults may still begin or end.
+/// Whether no motor will make a count without new input: each is done, blocked or stuck by a fault
+/// without an end, or the robot is stalled. Faults may still begin or end.
 bool is_at_rest(const Model& model, const State& state);
 
-/// One tick.
+/// Advances by one tick.
 void step(const Model& model, State& state, Events& events);
 
 /// Advances to `target` or until the machine is at rest, whichever comes first. Skips over ticks in
@@ -22,8 +22,8 @@ void step(const Model& model, State& state, Events& events);
 /// faults that begin or end.
 bool run_to_rest(const Model& model, State& state, Tick target, Events& events);
 
-/// Advances to `target`; once the machine is at rest, the time that this takes depends only on the
-/// number of faults that begin or end until then. Returns as run_to_rest().
+/// Advances to `target`; at rest the time that this takes depends only on the number of faults that
+/// begin or end until then. Returns as run_to_rest().
 bool advance_to(const Model& model, State& state, Tick target, Events& events);
 
 }  // namespace xr3

@@ -18,7 +18,7 @@ bool has_bit(std::uint8_t bits, int number) {
   return (bits >> static_cast<unsigned>(number - 1) & 1U) != 0;
 }
 
-/// Returns whether it has changed.
+/// Sets or clears a bit. Returns whether it has changed.
 bool set_bit(std::uint8_t& bits, int number, bool set) {
   if (has_bit(bits, number) == set) return false;
   bits = with_bit(bits, number, set);

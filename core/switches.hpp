@@ -1,5 +1,5 @@
 // Microswitches (paper, Sections II-B and III-A): one per motor, a pure function of the motor's
-// count. And the controller's digital lines and ports.
+// count. Also the controller's digital lines and ports.
 #pragma once
 
 #include <array>
@@ -37,7 +37,7 @@ void set_output(State& state, int line, bool high, Events& events);
 /// Switches auxiliary port 1 or 2.
 void set_auxiliary(State& state, int port, bool on, Events& events);
 
-/// Input line 1...8 from outside.
+/// Sets input line 1...8 from outside.
 void set_input(State& state, int line, bool high, Events& events);
 
 /// The reply to inquiry 'I', 'J' or 'K'.

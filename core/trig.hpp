@@ -24,7 +24,7 @@ class SinCosTable {
  public:
   static constexpr Counts kMaxTableBytes = 1 << 16;
 
-  /// angle_deg(position) = home_deg + step_deg * position.
+  /// Tabulates angle_deg(position) = home_deg + step_deg * position.
   SinCosTable(double home_deg, double step_deg, Counts low, Counts high);
 
   SinCos at(Counts position) const {

@@ -52,7 +52,7 @@ constexpr Microdegrees microdegrees(double degrees) {
   return static_cast<Microdegrees>(parts < 0 ? parts - 0.5 : parts + 0.5);
 }
 
-/// The same direction in (-180, 180] degrees.
+/// The angle of this direction in (-180, 180] degrees.
 constexpr Microdegrees normalized(Microdegrees angle) {
   constexpr Microdegrees kTurn = 360'000'000;
   angle %= kTurn;

@@ -1,6 +1,16 @@
 // Caches the camera's last image, so that it is rendered once per state, however often it is
 // requested. An image is a pure function of camera, work surface, blocks, and faults of the camera
 // at a tick, so the cache never changes a result; it is not part of the state.
+//
+// The flow through the folder: an inquiry of the camera reaches image(), row() or pixel(). After
+// touch() the first of them compares the state with the scene that was drawn last: camera, work
+// surface, and place and size of each block. If they are equal, the cached image is used. If not,
+// the blocks at rest are drawn again; a held block is drawn onto a copy of their image, so that a
+// moving arm costs one block. The first rows and pixels of a new scene are rendered alone by
+// core/camera.hpp, since the whole image costs more than they do. sight.hpp projects the corners of
+// a block onto the work surface with the camera's exact arithmetic, and fill.hpp sets the pixels
+// inside their convex hull. Last, core/faults/camera_faults.hpp changes the image if a fault of the
+// camera is in force at this tick.
 #pragma once
 
 #include <cstdint>
@@ -17,15 +27,14 @@ namespace xr3 {
 class CameraCache {
  public:
   /// Call after any change of model or state: the next request then compares the cache with both.
-  /// Otherwise the cache is assumed to be valid, so that a request does not examine ten thousand
-  /// blocks.
+  /// Without a call the cache is taken as valid, so that a request does not examine every block.
   void touch() { is_compared_ = false; }
 
-  /// camera_image() with the faults of the camera, shared.
+  /// The image of camera_image() with the faults of the camera, shared.
   ImagePtr image(const Model& model, const State& state);
-  /// camera_row(); copied from the whole image if it is cached.
+  /// The row of camera_row(); copied from the whole image if that is cached.
   Image row(const Model& model, const State& state, int row);
-  /// camera_pixel(); read from the whole image if it is cached.
+  /// The pixel of camera_pixel(); read from the whole image if that is cached.
   bool pixel(const Model& model, const State& state, int column, int row);
 
   /// The number of renderings: whole images, rows, and a held block drawn onto the others.
@@ -60,7 +69,7 @@ class CameraCache {
   ImagePtr whole_;    ///< the whole image, or nullptr
   ImagePtr faulty_;   ///< the whole image with faults of the camera at faulty_tick_
   Tick faulty_tick_ = 0;
-  bool is_compared_ = false;  ///< with the current model and state
+  bool is_compared_ = false;  ///< whether model and state have been compared since touch()
   int parts_ = 0;             ///< rows drawn separately in this scene
   std::uint64_t renders_ = 0;
 };

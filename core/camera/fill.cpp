@@ -49,8 +49,8 @@ struct Column {
   }
 };
 
-/// Calls take(row, floor of the quotient, clamped to 0...width) for the rows. One division gives
-/// the first quotient, one the step; then quotient and rest are updated from row to row.
+/// Calls take(row, floor of the quotient, clamped to 0...width) for each row. Divides once for the
+/// first quotient and once for the step; updates quotient and rest from row to row.
 template <class Integer, class Take>
 void follow(const Column& column, int rows, int width, const Take& take) {
   const auto divisor = static_cast<Integer>(column.divisor);
@@ -66,7 +66,8 @@ void follow(const Column& column, int rows, int width, const Take& take) {
   }
 }
 
-/// > 0 if c lies to the left of the directed line from a to b, with x right and y up.
+/// Twice the signed area of the triangle a, b, c: above 0 if c lies to the left of the directed
+/// line from a to b, with x right and y up.
 Wide turn(const SurfacePoint& a, const SurfacePoint& b, const SurfacePoint& c) {
   return static_cast<Wide>(b.x - a.x) * (c.y - a.y) - static_cast<Wide>(b.y - a.y) * (c.x - a.x);
 }
@@ -77,7 +78,8 @@ struct Chain {
   std::size_t count = 0;
 };
 
-/// side +1: the border at low x, with every corner to its right; -1: the one at high x.
+/// The chain on one side of the hull. `side` +1: the border at low x, with every corner to its
+/// right; -1: the one at high x.
 Chain chain(const BoxCorners& sorted, int side) {
   Chain hull;
   for (const SurfacePoint& corner : sorted) {

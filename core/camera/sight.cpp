@@ -62,6 +62,7 @@ BlockCorners corners_of(const Model& model, const State& state, std::size_t bloc
 }
 
 int rows_of(const Workcell& workcell, const Block& block) {
+  assert(workcell.camera);
   const BoxCorners shape = on_surface(workcell, corners_at(block.size_um, lying_pose(block)));
   const auto [low, high] = std::minmax_element(shape.begin(), shape.end());
   return rows_between(*workcell.camera, low->y, high->y);

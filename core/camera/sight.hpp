@@ -16,8 +16,8 @@ using BlockCorners = std::array<PointUm, kBoxCorners>;
 /// The corners of a block at its current pose, also if it is held.
 BlockCorners corners_of(const Model& model, const State& state, std::size_t block);
 
-/// The number of rows of the image that a block which is not held takes. Precondition: the workcell
-/// has a camera.
+/// The number of rows of the image that a block at rest occupies. Precondition: the workcell has a
+/// camera.
 int rows_of(const Workcell& workcell, const Block& block);
 
 /// Draws a block as the workcell's camera sees it. Precondition: the workcell has a camera.

@@ -17,7 +17,7 @@ inline constexpr int kColors = 16;
 /// The colour with index 0...15 as #rrggbb.
 std::string_view color_hex(int index, Background background);
 
-/// The same as red, green and blue, 0...255 each.
+/// The colour with index 0...15 as red, green and blue, 0...255 each.
 std::array<std::uint8_t, 3> color_rgb(int index, Background background);
 
 }  // namespace xr3

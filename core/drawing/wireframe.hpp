@@ -1,6 +1,15 @@
 // The wire frame (paper, Sections II-A and III-A) as polylines: the outlines of links and tool,
 // transformed to the base frame, the blocks and the tip's path. For pictures only; the simulation
 // does not use it.
+//
+// The flow through the folder: wireframe() takes a model and a state and returns polylines in the
+// base frame, in mm: the outlines of robot and tool at the current positions, the blocks at their
+// current poses (core/grasp.hpp), and the path of the tip. view.hpp makes a picture plane from a
+// view vector and projects points onto it; projected() does so for wires. view_extents() says which
+// rectangle of that plane the paper shows, which needs behind_mm(). palette.hpp has the sixteen
+// colours to which the wires' indices refer, for a dark and for a light background. status_line.hpp
+// writes the line of text below the picture. The callers are the monitor's channel `display`
+// (protocol/monitor/display.hpp) and the pictures of tools/drawing; neither changes the state.
 #pragma once
 
 #include <Eigen/Core>
@@ -50,8 +59,8 @@ Wire surface_wire(const Workcell& workcell);
 /// The wires in the plane of the view, in mm.
 std::vector<FlatWire> projected(const View& view, const std::vector<Wire>& wires);
 
-/// How far the robot's outline extends behind the base axis (towards -x) at the soft home, in mm;
-/// at least 0.
+/// The length of the robot's outline behind the base axis (towards -x) at the soft home, in mm; at
+/// least 0.
 double behind_mm(const Model& model);
 
 }  // namespace xr3

@@ -9,15 +9,15 @@
 
 namespace xr3 {
 
-/// The image as the camera gives it. Only the first fault of noise in force acts, and each pixel
-/// takes one hash.
+/// The image with the faults of the camera. Only the first fault of noise in force is applied; each
+/// pixel takes one hash.
 Image with_camera_faults(const State& state, const Image& clean);
 
 /// Row `row` of with_camera_faults(), as an image one pixel high.
 Image row_with_camera_faults(const State& state, const Image& clean, int row);
 
-/// To be called for each inquiry that the camera answers: counts an effect of each fault of the
-/// camera in force.
+/// Counts an effect of each fault of the camera in force. Call for each inquiry that the camera
+/// answers.
 void add_camera_effects(const Model& model, State& state, Events& events);
 
 }  // namespace xr3

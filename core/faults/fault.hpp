@@ -42,7 +42,7 @@ inline constexpr std::size_t kFaultKinds = static_cast<std::size_t>(FaultKind::k
 /// The part of the simulation on which a fault acts.
 enum class FaultTarget : std::uint8_t { kLine, kController, kJoint, kJaws, kCamera };
 
-/// How a fault acts.
+/// The time at which a fault has its effect.
 enum class FaultManner : std::uint8_t {
   kLasting,  ///< from its first tick until its last; both are stops of the advance of time
   kEffects,  ///< each time that there is an occasion: a byte, a reply, a count
@@ -64,7 +64,7 @@ const FaultTraits& traits_of(FaultKind kind);
 
 /// Every probability is this many parts.
 inline constexpr std::uint32_t kCertain = 1'000'000'000;
-/// The tick of what never happens.
+/// Sentinel: never.
 inline constexpr Tick kNoTick = INT64_MAX;
 
 /// One of at_tick, from_tick, after_bytes and chance is the trigger; from_tick may also delay a
@@ -81,10 +81,10 @@ struct Fault {
   std::string name;
   FaultKind kind = FaultKind::kByteDropped;
 
-  std::uint32_t line = 0;  ///< 0: any
+  std::uint32_t line = 0;  ///< number of the line; 0 for any
   LineSide direction = LineSide::kIn;
-  char joint = 0;                            ///< its label
-  std::optional<int> bit{};                  ///< byte_flipped: 0...7; nullopt: by chance
+  char joint = 0;                            ///< label of the joint
+  std::optional<int> bit{};                  ///< byte_flipped: 0...7; nullopt if chosen by chance
   std::uint8_t byte = 0;                     ///< stray_byte
   std::uint32_t percent = 0;                 ///< motor_slow: of its speed, 1...99
   std::uint32_t delay_ms = 0;                ///< reply_delayed
@@ -98,14 +98,14 @@ struct Fault {
   std::optional<Tick> from_tick{};
   std::optional<std::uint64_t> after_bytes{};
   std::optional<std::uint32_t> chance{};  ///< 1...kCertain
-  std::optional<Tick> ticks{};            ///< how long
-  std::optional<std::uint32_t> count{};   ///< how many effects
+  std::optional<Tick> ticks{};            ///< duration
+  std::optional<std::uint32_t> count{};   ///< number of effects
 
   bool operator==(const Fault&) const = default;
 
-  /// The first tick at which it can act.
+  /// The first tick at which the fault can have an effect.
   Tick begin() const { return at_tick ? *at_tick : from_tick.value_or(0); }
-  /// The first tick at which it no longer acts.
+  /// The first tick at which the fault has ended.
   Tick end() const { return ticks ? begin() + *ticks : kNoTick; }
   bool covers(Tick tick) const { return begin() <= tick && tick < end(); }
   /// The maximum number of effects.

@@ -1,5 +1,5 @@
-// The faults of a machine, as a part of its state: each with what it has done so far, and a summary
-// of those in force for the code that runs at every tick. Without faults, `all` is empty and the
+// The faults of a machine, as a part of its state: each with its effects so far, and a summary of
+// those in force for the code that runs at every tick. Without faults, `all` is empty and the
 // summary has its initial value.
 #pragma once
 
@@ -44,7 +44,7 @@ constexpr bool has_motor(MotorBits bits, int motor) {
 
 /// Derived from the faults and the tick: see refresh_faults().
 struct FaultsInForce {
-  /// Of each motor's own speed.
+  /// Per motor: the percentage of its own speed.
   std::array<std::uint8_t, kMaxMotors> speed_percent = full_speed();
   MotorBits stuck_for_good = 0;  ///< 0 per cent without an end
   MotorBits slipping = 0;        ///< a fault may lose counts of their encoders
@@ -67,7 +67,7 @@ struct FaultsInForce {
 struct Faults {
   std::uint64_t seed = 0;
   std::vector<FaultState> all;     ///< in the order in which they were set
-  std::uint32_t power_cycles = 0;  ///< so far; lines forget an incomplete command at each
+  std::uint32_t power_cycles = 0;  ///< number so far; lines discard an incomplete command at each
   MotorBits slipped = 0;           ///< motors whose last count was lost
   FaultsInForce now;
   bool operator==(const Faults&) const = default;

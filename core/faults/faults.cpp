@@ -13,7 +13,7 @@ namespace {
 
 bool lasts(const Fault& fault) { return traits_of(fault.kind).manner == FaultManner::kLasting; }
 
-/// Whether it acts at its first tick, without an occasion.
+/// Whether the fault has its effect at its first tick, without an occasion.
 bool is_timed(const Fault& fault) {
   return traits_of(fault.kind).manner == FaultManner::kOnce ||
          (fault.kind == FaultKind::kLineDisconnected && fault.at_tick);
@@ -72,7 +72,7 @@ void run_timed(const Model& model, State& state, FaultState& fault, Events& even
   reset_controller(model, state, events);
 }
 
-/// From the current tick on, if it would begin in the past.
+/// The fault with a begin that is not before the current tick.
 Fault from_now(Fault fault, Tick now) {
   if (fault.at_tick) fault.at_tick = std::max(*fault.at_tick, now);
   if (!fault.at_tick && (fault.from_tick || fault.ticks))

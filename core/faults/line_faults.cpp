@@ -28,7 +28,7 @@ bool is_of_line(const Fault& fault, std::uint32_t line) {
   return fault.line == 0 || fault.line == line;
 }
 
-/// Whether the fault acts on this byte or reply now.
+/// Whether the fault has an effect on this byte or reply now.
 bool acts(const State& state, const FaultState& each, const LinePlace& place) {
   const Fault& fault = each.fault;
   if (!is_of_line(fault, place.line) || place.offset < fault.after_bytes.value_or(0)) return false;
@@ -44,7 +44,7 @@ std::uint8_t flipped(const FaultState& each, const LinePlace& place, std::uint8_
   return static_cast<std::uint8_t>(byte ^ 1U << bit);
 }
 
-/// Another byte than the one sent.
+/// The byte with one bit flipped, so that it differs from the one sent.
 std::uint8_t garbled(const FaultState& each, const LinePlace& place, std::uint8_t byte) {
   const auto change = static_cast<std::uint8_t>(
       chance_hash(each.salt, number_of(place), place.offset) % UINT8_MAX + 1);
@@ -62,7 +62,7 @@ class Carrier {
   Carrier(const Model& model, State& state, Events& events)
       : model_(model), state_(state), events_(events) {}
 
-  /// The byte, as the faults of bytes leave it.
+  /// Adds the byte to the result, changed by the faults of bytes.
   void carry(const LinePlace& place, std::uint8_t byte, Carried& carried) {
     std::size_t copies = 1;
     for (FaultState& each : state_.faults.all) {

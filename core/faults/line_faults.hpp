@@ -1,6 +1,6 @@
-// The effects of faults on the data bytes of a line: of the client between telnet filter and
-// parser, of the replies between endpoint and telnet filter. Offsets count these bytes of a line
-// and direction from 0. The caller moves the bytes; nothing here knows a line but by its number.
+// The effects of faults on the data bytes of a line: on those of the client between telnet filter
+// and parser, on the replies between endpoint and telnet filter. Offsets count these bytes per line
+// and direction from 0. The caller moves the bytes; a line is only a number here.
 #pragma once
 
 #include <cstdint>
@@ -20,21 +20,22 @@ struct LinePlace {
   std::uint64_t offset = 0;
 };
 
-/// What arrives of a byte, or of a whole reply, that a line carries.
+/// The result of sending a byte or a reply over a faulty line.
 struct Carried {
   std::string bytes;
-  bool has_parity_error = false;  ///< of a byte of this direction
+  bool has_parity_error = false;  ///< a byte has a parity error; for the direction that is returned
   bool is_disconnected = false;   ///< the line closes after it
-  std::uint32_t delay_ms = 0;     ///< of a reply
+  std::uint32_t delay_ms = 0;     ///< replies only: delay before the first byte
 };
 
 inline bool has_line_faults(const State& state) { return state.faults.now.on_lines; }
 
-/// Returns what arrives at the parser for a data byte of the client.
+/// Applies the faults of a line to a data byte of the client. Returns the bytes for the parser.
 Carried carry_input(const Model& model, State& state, const LinePlace& place, std::uint8_t byte,
                     Events& events);
 
-/// Returns what arrives at the client for a reply. `place` is that of its first byte.
+/// Applies the faults of a line to a reply. Returns the bytes for the client. `place` is that of
+/// the first byte of the reply.
 Carried carry_reply(const Model& model, State& state, const LinePlace& place,
                     std::string_view reply, Events& events);
 
@@ -45,8 +46,8 @@ std::string stray_bytes(const Model& model, State& state, const LinePlace& place
 /// multiples of their period.
 Tick batch_tick(const State& state, std::uint32_t line, Tick from);
 
-/// The tick at which the line's replies are no longer held back by XOFF, kNoTick if that is not
-/// known; the current tick if they are not.
+/// The tick at which XOFF no longer holds back the line's replies: kNoTick if that is not known,
+/// the current tick if XOFF does not hold them.
 Tick xoff_end(const State& state, std::uint32_t line);
 
 }  // namespace xr3

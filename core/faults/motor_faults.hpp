@@ -36,25 +36,25 @@ inline bool may_lose_count(const State& state, int motor) {
   return has_motor(state.faults.now.slipping | state.faults.slipped, motor);
 }
 
-/// Whether a motor's encoder misses the count that it makes now: the motor turns, but its error
-/// counter does not learn of it. At most every second count is missed, so that no motor runs for
+/// Whether a motor's encoder misses the count that the motor makes now: the motor turns, but its
+/// error counter is not updated. At most every second count is missed, so that no motor runs for
 /// ever. Counts the effect.
 bool loses_count(const Model& model, State& state, int motor, Events& events);
 
-/// What a microswitch is taken for, if its contact is `is_closed`: it may be stuck.
+/// The state of a microswitch whose contact is `is_closed`, or that of a fault that makes it stuck.
 inline bool with_stuck_switch(const State& state, int motor, bool is_closed) {
   const FaultsInForce& now = state.faults.now;
   return (is_closed || has_motor(now.closed, motor)) && !has_motor(now.open, motor);
 }
 
-/// To be called when a microswitch has changed: it may begin to bounce.
+/// Makes a microswitch that has just changed begin to bounce, if a fault says so.
 void begin_bounce(const Model& model, State& state, int motor, Events& events);
 
-/// What the controller reads of a microswitch at this tick: it may bounce.
+/// The controller's reading of a microswitch at this tick, including bounces.
 bool reads_closed(const Model& model, const State& state, int motor);
 
-/// To be called in each tick in which a joint of the arm has moved: the held block, if any, may
-/// slip out of the jaws.
+/// Lets the held block, if any, slip out of the jaws if a fault says so. Call in each tick in which
+/// a joint of the arm has moved.
 void slip_grip(const Model& model, State& state, const Positions& positions, Events& events);
 
 }  // namespace xr3

@@ -17,7 +17,7 @@ using JointVariables = std::vector<double>;
 /// The position of a joint or the tool at a variable, in counts and fractions.
 double exact_position(const Drive& drive, double variable);
 
-/// Clamped to +-2e8.
+/// The nearest count, clamped to +-2e8.
 Counts nearest_count(double counts);
 
 /// T(k-1,k) of a joint.

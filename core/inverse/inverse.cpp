@@ -188,6 +188,7 @@ double angle_between_deg(const Eigen::Vector3d& one, const Eigen::Vector3d& othe
 }  // namespace
 
 ToolTarget pose_target(const Eigen::Vector3d& p_mm, const Eigen::Matrix3d& rotation) {
+  assert(rotation.isUnitary(1e-6) && rotation.determinant() > 0);
   return {TargetKind::kPose, p_mm, rotation, 0};
 }
 

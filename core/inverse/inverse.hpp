@@ -1,7 +1,17 @@
 // Inverse kinematics: computes the joint variables and motor counts that bring the tool to a
 // target, with a name for each solution. Closed form where the Denavit-Hartenberg rows allow one,
-// numerical otherwise. Not in the paper, which leaves the inverse to the user's program
-// (Section II). For tools and planning; the simulation does not use it.
+// numerical otherwise. Not in the paper, which leaves the inverse to the user's program (Section
+// II). For tools and planning; the simulation does not use it.
+//
+// The flow through the folder: one of the functions *_target() makes a ToolTarget. solve_inverse()
+// selects a method by the structure of the rows, inverse_method(): five_axis.cpp, scara.cpp and
+// six_axis.cpp are closed forms, numerical.cpp handles all other arms. For an arm on a mount or a
+// slide the target is first transformed to the arm's own base frame. The methods share solvers.hpp
+// and return candidates: joint variables and branch names, or a refusal with its error. Each
+// candidate is turned by full turns into the limits, rounded to motor counts with couplings removed
+// (chain.hpp), checked against limits and protected region, and compared with the target again;
+// duplicates are dropped, allowed solutions come first. reach.hpp asks the same solver whether a
+// workcell's points can be reached.
 #pragma once
 
 #include <Eigen/Core>
@@ -34,16 +44,20 @@ struct ToolTarget {
   Eigen::Vector3d approach() const { return rotation.col(2); }
 };
 
-/// `rotation` must be orthonormal and right-handed.
+/// A target with a rotation. Precondition: `rotation` is orthonormal and right-handed.
 ToolTarget pose_target(const Eigen::Vector3d& p_mm, const Eigen::Matrix3d& rotation);
-/// Fixed axes: roll about x, then pitch about y, then yaw about z: R = Rz(yaw) Ry(pitch) Rx(roll).
+/// A target with a rotation by fixed axes: roll about x, then pitch about y, then yaw about z: R =
+/// Rz(yaw) Ry(pitch) Rx(roll).
 ToolTarget yaw_pitch_roll_target(const Eigen::Vector3d& p_mm, const Eigen::Vector3d& ypr_deg);
-/// Tool straight down, its x axis turned about the vertical by the net roll, as for picking.
+/// A target with the tool straight down, its x axis turned about the vertical by the net roll, as
+/// for picking.
 ToolTarget down_target(const Eigen::Vector3d& p_mm, double net_roll_deg);
-/// `approach` has any length except 0; `last` is the last joint's variable.
+/// A target with an approach vector. `approach` has any length except 0; `last` is the last joint's
+/// variable.
 ToolTarget pointing_target(const Eigen::Vector3d& p_mm, const Eigen::Vector3d& approach,
                            double last);
-/// The last joint's variable is pi * ln |(w4, w5, w6)|, which must not be 0.
+/// A target from a tool-configuration vector. The last joint's variable is pi * ln |(w4, w5, w6)|,
+/// which must not be 0.
 ToolTarget configuration_target(const Robot& robot, const ToolConfiguration& w);
 ToolTarget tip_target(const Eigen::Vector3d& p_mm);
 
@@ -98,12 +112,13 @@ struct InverseOptions {
 struct LimitExcess {
   int joint = 0;      ///< index from 0 at the base
   Counts counts = 0;  ///< distance past the limit, above 0
-  double amount = 0;  ///< the same in degrees or mm
+  double amount = 0;  ///< distance past the limit in degrees or mm
 };
 
 struct PoseError {
-  double mm = 0;   ///< of the tip
-  double deg = 0;  ///< kPose: of the rotation; kPointing: the larger of approach and last joint
+  double mm = 0;  ///< distance of the tip
+  double deg =
+      0;  ///< kPose: angle of the rotation; kPointing: the larger of approach and last joint
 };
 
 struct InverseSolution {
@@ -111,9 +126,9 @@ struct InverseSolution {
   std::string branch;        ///< such as "front, elbow up"
   NearestCounts counts;
   std::vector<LimitExcess> beyond;   ///< joints past their limits at `counts`
-  bool in_protected_region = false;  ///< the tip is, at `counts`
-  PoseError exact;                   ///< of `variables`
-  PoseError rounded;                 ///< of `counts`
+  bool in_protected_region = false;  ///< whether the tip is in the protected region at `counts`
+  PoseError exact;                   ///< error at `variables`
+  PoseError rounded;                 ///< error at `counts`
 
   bool is_allowed() const { return beyond.empty() && !in_protected_region; }
 };
@@ -121,8 +136,8 @@ struct InverseSolution {
 struct InverseResult {
   InverseMethod method = InverseMethod::kNumerical;
   InverseRefusal refusal = InverseRefusal::kNo;
-  double off_mm = 0;   ///< of a refusal
-  double off_deg = 0;  ///< of a refusal
+  double off_mm = 0;   ///< refusals only: error in mm
+  double off_deg = 0;  ///< refusals only: error in degrees
   std::vector<InverseFreedom> freedoms;
   std::vector<InverseSolution>
       solutions;  ///< allowed ones first, then by the maximum travel of a motor

@@ -36,7 +36,7 @@ class Reach {
 
   Model model_;
   bool is_quick_;
-  std::vector<InverseOptions> places_;  ///< of the slide; one element if there is none
+  std::vector<InverseOptions> places_;  ///< places of the slide; one element without a slide
 };
 
 }  // namespace xr3

@@ -52,8 +52,8 @@ bool ends_in_plain_roll(const Robot& robot);
 
 inline double to_deg(double rad) { return rad * 180.0 / kPi; }
 inline double to_rad(double deg) { return deg * kPi / 180.0; }
-double unit_sin(double twist_deg);  ///< of a quarter turn: +1 or -1
-double unit_cos(double twist_deg);  ///< of 0 or a half turn: +1 or -1
+double unit_sin(double twist_deg);  ///< sine of a quarter turn: +1 or -1
+double unit_cos(double twist_deg);  ///< cosine of 0 or a half turn: +1 or -1
 
 /// Two links in a plane. Each angle is relative to the previous link.
 struct TwoLinks {
@@ -72,9 +72,9 @@ struct TwoLinkPosture {
 std::vector<TwoLinkPosture> two_link_postures(const TwoLinks& links, const Eigen::Vector2d& wrist,
                                               double tolerance_mm, Candidates& found);
 
-/// `elbow up`, `down`, `left`, `right` (seen from above, looking from the shoulder to the wrist),
-/// `straight` or `folded`; `+` or `-` if none of these applies. `rotation` is that of the links'
-/// frame; `wrist` begins at the shoulder and is in the base frame.
+/// A name for the posture: `elbow up`, `down`, `left`, `right` (seen from above, looking from the
+/// shoulder to the wrist), `straight` or `folded`; `+` or `-` if none of these applies. `rotation`
+/// is that of the links' frame; `wrist` begins at the shoulder and is in the base frame.
 std::string elbow_name(const Eigen::Matrix3d& rotation, const TwoLinks& links,
                        const TwoLinkPosture& at, const Eigen::Vector3d& wrist);
 
