@@ -12,7 +12,7 @@
 namespace xr3 {
 namespace {
 
-/// Of a file that has been read; its value goes to `member`.
+/// The result of a file that has been read; its value goes to `member`.
 template <class V, class Summary>
 CheckResult result_of(DataKind kind, FileReading<V> reading, std::optional<V> CheckResult::*member,
                       const Summary& summary_of) {

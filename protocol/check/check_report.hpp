@@ -1,5 +1,15 @@
 // The report of `xr3 check` about a data file: its kind, all findings, and a summary. The caller
 // reads the file, prints the report and chooses the exit code.
+//
+// The flow through the folder: a caller passes the text of a file; no file is opened here. kind.hpp
+// recognises robot, workcell, fault, goals and exercise files by their members. Each kind has a
+// header: robot.hpp, workcell.hpp, faults.hpp, exercise.hpp, and protocol/goals/file.hpp. Its read
+// function parses the JSON (protocol/json) with codecs and member tables, which also write the
+// file; robot_parts.hpp and block.hpp are parts that several files share. Rules that concern
+// several members follow: consistency.hpp, with one source for each kind. All errors and warnings
+// become findings with file, line and JSON pointer, so that a user gets all of them at once; the
+// load functions throw DataError instead. summary.hpp describes a good robot or workcell.
+// paper_form/ converts the paper's plain form to the JSON of the same file first.
 #pragma once
 
 #include <optional>
@@ -21,7 +31,7 @@ namespace xr3 {
 struct CheckResult {
   DataKind kind = DataKind::kUnknown;
   Findings findings;    ///< sorted by line; print each with to_text
-  std::string summary;  ///< lines, each with a line feed; empty if there are errors
+  std::string summary;  ///< lines, each with a line feed; empty after errors
   std::optional<Robot> robot;
   std::optional<Workcell> workcell;
   std::optional<FaultPlan> faults;

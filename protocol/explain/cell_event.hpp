@@ -39,8 +39,8 @@ enum class LineCloseReason : std::uint8_t {
   kError,
   kShutdown,
   kDisconnected,  ///< by the monitor's line_disconnect
-  kMemory,        ///< it held the most when the memory was exhausted
-  kFault,         ///< by a fault on demand; the last one
+  kMemory,        ///< the line held the most bytes when the memory was exhausted
+  kFault,         ///< by a fault on demand; the last reason
 };
 inline constexpr std::size_t kLineCloseReasons =
     static_cast<std::size_t>(LineCloseReason::kFault) + 1;
@@ -52,7 +52,7 @@ struct ProblemNote {
   std::uint64_t offset = 0;
   RawBytes raw{};
   int count = 1;
-  Tick first_tick = 0;  ///< of the first one; the note may come later, after the last one
+  Tick first_tick = 0;  ///< tick of the first one; the note may be later, after the last one
 };
 /// `count` warnings of a line were suppressed in this simulated second.
 struct SuppressedNote {
@@ -67,9 +67,9 @@ struct LineClosedNote {
   std::uint64_t bytes_in = 0;
   std::uint64_t bytes_out = 0;
 };
-/// With the byte clock: a line waits, unread, for another one, or its turn begins.
+/// With the byte clock: a line waits, unread, for another line, or its turn begins.
 struct LineTurnNote {
-  LineId waits_for = 0;  ///< 0: its turn begins
+  LineId waits_for = 0;  ///< 0 if its turn begins
 };
 struct ClockNote {
   std::string_view call;  ///< pause, resume or rate
@@ -79,7 +79,7 @@ struct ClockNote {
 /// A call changed the workcell.
 struct ModelNote {
   std::string_view call;  ///< block_add, block_move, block_remove, workcell, reset or snapshot_load
-  std::string name;       ///< of the block or the workcell
+  std::string name;       ///< name of the block or the workcell
   int model_rev = 0;
 };
 struct EpochNote {
@@ -90,7 +90,7 @@ struct EpochNote {
 
 /// The running server has opened the cell.
 struct CellOpenedNote {
-  std::string cell;  ///< its name
+  std::string cell;  ///< name of the cell
 };
 /// The running server closes the cell. No event of it follows.
 struct CellClosedNote {
@@ -101,12 +101,12 @@ struct CellClosedNote {
 /// one this is EnabledChanged.
 struct HandoverNote {
   bool enabled = true;
-  std::string device;  ///< its path
+  std::string device;  ///< path of the device
   bool is_open = true;
   bool is_mirrored = false;
 };
 
-/// News of the physical controller behind the lines.
+/// Changes of the physical controller behind the lines.
 enum class DeviceNews : std::uint8_t {
   kOpened,
   kLost,
@@ -119,15 +119,15 @@ enum class DeviceNews : std::uint8_t {
 struct DeviceNote {
   DeviceNews news = DeviceNews::kOpened;
   std::string path;
-  std::string why;          ///< of kLost and kMirrorDifference
-  RawBytes raw;             ///< of kUnasked: the first bytes that nobody asked for
-  std::uint64_t count = 0;  ///< of kUnasked: the number of bytes
+  std::string why;          ///< the reason, for kLost and kMirrorDifference
+  RawBytes raw;             ///< kUnasked: the first bytes that no inquiry asked for
+  std::uint64_t count = 0;  ///< kUnasked: the number of bytes
 };
 
-/// The recording of the cell has ended, and the cell goes on.
+/// The recording of the cell has ended; the cell continues.
 struct RecordingNote {
-  std::string path;  ///< of its file
-  std::string why;   ///< begins with the path
+  std::string path;  ///< path of the recording's file
+  std::string why;   ///< the reason; begins with the path
 };
 
 using CellNote =

@@ -129,7 +129,7 @@ std::string label_of(const Command& command) {
       command);
 }
 
-// From the base on.
+// Closed switches, from the base outwards.
 std::string closed_switches(const SwitchBits& bits, const ReplyContext& context) {
   std::string labels;
   for (int i = ReplyContext::kLabels - 1; i >= 0; --i) {

@@ -12,12 +12,12 @@ namespace xr3 {
 
 struct CommandText {
   std::string_view code;  ///< stable, the name in data/commands.json, such as `move`
-  std::string phrase;     ///< what the command did or asks for, such as `move E +5, counter 5`
+  std::string phrase;     ///< the command's effect or inquiry, such as `move E +5, counter 5`
 };
 
 CommandText command_text(const wire::Executed& executed);
 
-/// The code alone.
+/// The code without the phrase.
 std::string_view code_of(const Command& command);
 
 struct ReplyText {

@@ -69,7 +69,7 @@ std::string camera_text(const Model& model) {
          std::to_string(camera->pixels_y - 1) + "; not answered";
 }
 
-// The explanation of a line's bytes knows no names; see wire::WarningRaised.
+// The name of a block. Explanations of a line's bytes have no names; see wire::WarningRaised.
 std::string block_text(const std::string& name, const char* without_name) {
   return name.empty() ? without_name : "block " + name;
 }

@@ -28,7 +28,7 @@ std::string hexadecimal(std::string_view bytes);
 /// The bytes, what is wrong with them, and what is allowed.
 std::string describe(const Parsed& parsed, const Problem& problem);
 
-/// What happened and what to do, without a full stop.
+/// The warning and its remedy, without a full stop.
 std::string text_of(const Warning& warning, const Model& model);
 
 /// A letter as a text.
@@ -37,7 +37,7 @@ inline std::string letter_text(char letter) { return {letter}; }
 /// `disabled`: a line was opened while the simulator is disabled.
 ProblemNote disabled_note();
 
-/// `pty_cooked`: a program has the pseudo-terminal echo, or edit lines.
+/// `pty_cooked`: the program's settings of the pseudo-terminal make it echo, or edit lines.
 ProblemNote cooked_note();
 
 /// `byte_clock_hurry`: with the byte clock, a joint gets motion commands and is never asked whether

@@ -1,6 +1,6 @@
 // The report of an event of a cell: kind, stable code, one sentence, and the members of the
-// monitor's message. One function per kind of event is the only place that knows them; the log,
-// the monitor port and the explanations of bytes use the same report.
+// monitor's message. One function per kind of event defines all of them; the log, the monitor port
+// and the explanations of bytes use the same report.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -17,7 +17,7 @@ struct EventReport {
   std::string_view event;  ///< the kind, such as `blocked` or `warning`
   std::string_view code;   ///< stable, such as `limit` or `counter_overflow`
   std::string message;     ///< one sentence
-  Json::object_t members;  ///< those that only this kind has
+  Json::object_t members;  ///< members that only this kind has
 };
 
 /// The report about an event of the machine. `model` gives units and limits.

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view kTelnet = "telnet";
 
-/// As the reply of a simulated Mark III with the switches of this robot.
+/// The text of a reply of a simulated Mark III with the switches of this robot.
 std::string value_text(const wire::FromDevice& reply, const Model& model) {
   const std::string byte(1, static_cast<char>(reply.byte));
   ReplyContext device = context_of(model);

@@ -14,7 +14,7 @@ std::string_view code_of(FaultKind kind);
 /// `set`, `cleared`, `began`, `ended` or `effect`.
 std::string_view code_of(FaultPhase phase);
 
-/// What has happened, in one sentence that begins with the fault's name.
+/// One sentence about the event, which begins with the fault's name.
 std::string text_of(const FaultNews& news);
 
 }  // namespace xr3

@@ -113,7 +113,7 @@ struct ReplyOf {
     if (!is_printable) return NoReply{};
     return PictureSize{context.camera->width, rows};
   }
-  /// Of any other command. The type of the reply tells what its byte means.
+  /// The reply to any other command, whose type determines the meaning of the byte.
   template <class Each>
   DecodedReply operator()(const Each&) const {
     if constexpr (Inquiry<Each>)

@@ -20,8 +20,8 @@ struct ReplyContext {
   static constexpr int kLabels = 8;
 
   Profile profile = Profile::kPaper;
-  /// The bit of the microswitch of each joint A...H, in the reply to J (A and B) or I; 0: none.
-  /// The default is the order that the robots of this project and the Mark III have.
+  /// The bit of the microswitch of each joint A...H, in the reply to J (A and B) or I; 0 if there
+  /// is none. The default is the order of this project's robots and of the Mark III.
   std::array<std::uint8_t, kLabels> masks{16, 32, 1, 2, 4, 8, 16, 32};
   /// The camera's image; 0 x 0 without a camera, nullopt if unknown.
   std::optional<wire::PictureSize> camera = std::nullopt;
@@ -33,11 +33,11 @@ ReplyContext context_of(const Model& model);
 InputMasks input_masks_of(const ReplyContext& context);
 
 /// The number of bytes of the reply to a command: 0 if it has none, nullopt if the context does not
-/// tell.
+/// determine it.
 std::optional<std::size_t> reply_size(const Command& command, const ReplyContext& context);
 
-/// The reply with these bytes; nullopt if the controller does not reply to the command like this.
-/// Precondition: reply_size() is known, and `bytes` has that size, which is not 0.
+/// The reply with these bytes; nullopt if the controller does not reply to the command in this
+/// form. Precondition: reply_size() is known, and `bytes` has that size, which is not 0.
 std::optional<wire::Answered> decode_reply(const Command& command, std::string_view bytes,
                                            const ReplyContext& context);
 

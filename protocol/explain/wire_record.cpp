@@ -31,6 +31,19 @@ void begin(WireRecord& record, Direction direction, const WirePlace& place, std:
   record.items.clear();
 }
 
+// Adds an item to be filled in place, since copying it costs more than the rest of a short record.
+// A new item has the first alternative already.
+template <class What>
+What& add_item(std::vector<Item>& items, std::uint64_t from, std::uint64_t to) {
+  Item& item = items.emplace_back();
+  item.from = from;
+  item.to = to;
+  if constexpr (std::is_same_v<What, std::variant_alternative_t<0, wire::Meaning>>)
+    return std::get<What>(item.what);
+  else
+    return item.what.emplace<What>();
+}
+
 // Problems that skip a single byte. They are merged, as a client may send megabytes of garbage.
 bool is_junk(const Problem& problem) {
   return problem.code == ProblemCode::kUnknownByte ||
@@ -86,7 +99,7 @@ void add_command(std::vector<Item>& items, const Exchange& exchange, const Comma
   if (why.stall != Stall::kNo || why.blocked != Blocked::kNo) items.push_back({from, to, why});
 }
 
-// Sets the members of each toggle, going back from the state after the last byte.
+// Sets the members of each toggle, backwards from the state after the last byte.
 void settle_toggles(std::vector<Item>& items, const State& after, bool has_device) {
   bool display = after.display.on;
   bool erase = after.display.erase;

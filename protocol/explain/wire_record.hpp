@@ -27,9 +27,9 @@ namespace wire {
 /// An executed command, and the results that its text needs.
 struct Executed {
   Command command;
-  std::optional<std::int8_t> counter;  ///< of a Move: the joint's error counter after it
-  bool is_on = false;                  ///< of a toggle: the new value
-  bool has_device = false;             ///< of ToggleSimulator: commands go there while disabled
+  std::optional<std::int8_t> counter;  ///< Move: the joint's error counter after it
+  bool is_on = false;                  ///< a toggle: the new value
+  bool has_device = false;  ///< ToggleSimulator: commands go to the device while disabled
 };
 
 /// Bytes that were not executed. Consecutive single bytes with the same problem are one item.
@@ -77,7 +77,7 @@ struct FromDevice {
   std::uint8_t byte = 0;
 };
 
-/// Further replies that were sent together; what each of them means is not kept.
+/// Further replies that were sent together; their meaning is not kept.
 struct MoreAnswers {
   std::uint32_t count = 0;
 };
@@ -100,9 +100,9 @@ struct WireRecord {
   Tick tick = 0;
   LineId line = 0;
   Direction direction = Direction::kIn;
-  std::uint64_t offset = 0;            ///< of the first byte in the line's stream in this direction
-  std::uint64_t bytes = 0;             ///< number of bytes
-  std::string shown;                   ///< the first kMaxShownIn or kMaxShownOut bytes
+  std::uint64_t offset = 0;  ///< offset of the first byte in the line's stream in this direction
+  std::uint64_t bytes = 0;   ///< number of bytes
+  std::string shown;         ///< the first kMaxShownIn or kMaxShownOut bytes
   std::optional<TelnetFilter> telnet;  ///< kIn: the line's filter, if any, before the first byte
   std::vector<wire::Item> items;
 };
@@ -117,7 +117,7 @@ struct WirePlace {
   Epoch epoch = 0;
   Tick tick = 0;
   LineId line = 0;
-  std::uint64_t offset = 0;  ///< of the first byte in the line's stream in this direction
+  std::uint64_t offset = 0;  ///< offset of the first byte in the line's stream in this direction
 };
 
 /// Fills `record` for received bytes: at most kMaxShownIn, as the transport delivered them.

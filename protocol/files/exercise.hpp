@@ -9,8 +9,9 @@
 
 namespace xr3 {
 
-/// An `exercise.json`. Robot, workcell, faults and goals are names, or files of its folder; clock
-/// and variation are written as the options of `xr3 exec`. Empty: the default of the option.
+/// The contents of an `exercise.json`. Robot, workcell, faults and goals are names, or files of its
+/// folder; clock and variation are written as the options of `xr3 exec`. An empty member means the
+/// default of the option.
 struct ExerciseFile {
   std::string title;
   std::string notes;
@@ -25,10 +26,11 @@ struct ExerciseFile {
 /// Reads and checks an exercise file. Syntax errors are findings, too. Never throws.
 FileReading<ExerciseFile> read_exercise(std::string_view text, const std::string& file);
 
-/// The same; throws DataError with all findings if one of them is an error.
+/// Reads and checks an exercise file. Throws DataError with all findings if one of them is an
+/// error.
 ExerciseFile load_exercise(std::string_view text, const std::string& file);
 
-/// The text that `xr3 check` prints of a good file.
+/// The summary that `xr3 check` prints of a good file.
 std::string exercise_summary(const ExerciseFile& exercise);
 
 }  // namespace xr3

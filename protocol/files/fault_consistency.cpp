@@ -20,7 +20,7 @@ struct MemberOfKinds {
   std::string_view name;
   bool (*has)(FaultKind kind);  ///< the kind allows it
   bool is_required;
-  std::string_view allowed;  ///< what a missing one must be
+  std::string_view allowed;  ///< allowed values, for the error if it is missing
 };
 
 bool is_of(FaultKind kind, FaultTarget target) { return traits_of(kind).target == target; }

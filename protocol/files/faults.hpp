@@ -18,13 +18,14 @@ namespace xr3 {
 FileReading<FaultPlan> read_faults(std::string_view text, const std::string& file,
                                    std::string_view labels = "");
 
-/// The same; throws DataError with all findings if one of them is an error.
+/// Reads and checks a fault file. Throws DataError with all findings if one of them is an error.
 FaultPlan load_faults(std::string_view text, const std::string& file, std::string_view labels);
 
 /// Reads and checks one fault; errors go to the reading.
 std::optional<Fault> read_fault(data::Reading& reading);
 
-/// The JSON of a fault as in a file, of a file, and the text that `xr3 check` prints of a good one.
+/// The JSON of a fault, as in a file; the JSON of a file; and the summary that `xr3 check` prints
+/// of a good one.
 Json fault_to_json(const Fault& fault);
 Json faults_to_json(const FaultPlan& plan);
 std::string faults_summary(const FaultPlan& plan);

@@ -1,4 +1,4 @@
-// Tells robot, workcell, fault, goals and exercise files apart.
+// Distinguishes robot, workcell, fault, goals and exercise files.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +13,8 @@ namespace xr3 {
 
 enum class DataKind : std::uint8_t { kUnknown, kRobot, kWorkcell, kFaults, kGoals, kExercise };
 
-/// With `title` it is an exercise; else with `joints` a robot, with `workspace` or `blocks` a
-/// workcell, with `faults` a list of faults, with `goals` one of goals.
+/// The kind of a file: with `title` an exercise; else with `joints` a robot, with `workspace` or
+/// `blocks` a workcell, with `faults` a list of faults, with `goals` one of goals.
 DataKind kind_of(JsonValue root);
 
 /// The only finding of a file of the other kind: one sentence says more than a list of all members
@@ -36,7 +36,7 @@ auto read_file(std::string_view text, const std::string& file, DataKind kind, da
   return {std::nullopt, error.findings()};
 }
 
-/// What a file of a kind is: `a robot, with "joints" and "tool"`.
+/// A description of the kind: `a robot, with "joints" and "tool"`.
 const char* description_of(DataKind kind);
 
 }  // namespace xr3

@@ -17,7 +17,7 @@ inline constexpr std::size_t kMaxToolParts = 16;
 /// Reads and checks a robot file. Syntax errors are findings, too. Never throws.
 FileReading<Robot> read_robot(std::string_view text, const std::string& file);
 
-/// The same; throws DataError with all findings if one of them is an error.
+/// Reads and checks a robot file. Throws DataError with all findings if one of them is an error.
 Robot load_robot(std::string_view text, const std::string& file);
 
 /// The JSON of a robot file, in mm, with its members in the documented order. Loading it gives an

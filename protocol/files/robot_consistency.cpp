@@ -32,8 +32,8 @@ std::string number_text(double number) { return plain_number(number, 4); }
 /// The drive of a joint, of the tool or of the carousel, with the data that the common rules need.
 struct CheckedMotor {
   const Drive* drive;
-  std::string pointer;      ///< of the joint, the tool or the carousel
-  std::string home_member;  ///< `/theta_deg`, `/d`, `/home`, or `/limits` if there is none
+  std::string pointer;      ///< pointer of the joint, the tool or the carousel
+  std::string home_member;  ///< `/theta_deg`, `/d`, `/home`, or `/limits` if there is no home
   bool is_length;           ///< the variable is a length, not an angle
 };
 

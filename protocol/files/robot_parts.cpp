@@ -12,7 +12,8 @@ constexpr int kMaxSwitchCounts = 1000000;
 constexpr std::size_t kMaxOutlinePoints = 4096;
 constexpr int kLastColor = 15;
 
-/// In degrees or in the file's length unit, depending on the kind of joint or tool.
+/// The range of a variable, in degrees or in the file's length unit, depending on the kind of joint
+/// or tool.
 const Range kVariable{-kMaxVariable, kMaxVariable};
 
 Codec<char> label() {

@@ -7,11 +7,11 @@
 
 namespace xr3 {
 
-/// Denavit-Hartenberg table, motors, coupling, protected region, net roll and both homes (paper,
-/// Table II and Section III-A).
+/// A summary of a robot: Denavit-Hartenberg table, motors, coupling, protected region, net roll and
+/// both homes (paper, Table II and Section III-A).
 std::string robot_summary(const Robot& robot, Profile profile);
 
-/// Workspace, blocks and camera (paper, Section III-B).
+/// A summary of a workcell: workspace, blocks and camera (paper, Section III-B).
 std::string workcell_summary(const Workcell& workcell);
 
 }  // namespace xr3

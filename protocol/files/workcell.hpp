@@ -33,12 +33,13 @@ FileReading<Workcell> read_workcell(std::string_view text, const std::string& fi
                                     const Robot* robot = nullptr, std::size_t first_reach = 0,
                                     WorkcellBounds bounds = WorkcellBounds::kFile);
 
-/// The same for the document being read; errors go to the reading.
+/// Reads the workcell of a document that is being read, and checks it like read_workcell(); errors
+/// go to the reading.
 std::optional<Workcell> read_workcell(data::Reading& reading, const Robot* robot = nullptr,
                                       std::size_t first_reach = 0,
                                       WorkcellBounds bounds = WorkcellBounds::kFile);
 
-/// The same; throws DataError with all findings if one of them is an error.
+/// Reads and checks a workcell file. Throws DataError with all findings if one of them is an error.
 Workcell load_workcell(std::string_view text, const std::string& file);
 
 /// The JSON of a workcell file, in mm, with its members in the documented order. Loading it gives

@@ -112,7 +112,7 @@ void warn_of_overlaps(const Workcell& workcell, const std::vector<Shape>& shapes
   }
 }
 
-/// What carries a block that stands on no other one.
+/// The support of a block that is on no other one.
 struct Ground {
   double z;
   const char* name;

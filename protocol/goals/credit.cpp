@@ -12,7 +12,7 @@ bool has_met_an_active(const std::vector<GoalResult>& results, const std::vector
   return false;
 }
 
-/// Why the run gets no points; empty if it does.
+/// The reason why the run gets no points; empty if it gets some.
 std::string refusal(const std::vector<GoalResult>& results, const GoalList& list,
                     const std::vector<bool>& passive, RunOutcome outcome, const RunFacts& facts) {
   if (outcome == RunOutcome::kFailed && !list.failed_program_counts) return "the program failed";

@@ -12,8 +12,8 @@
 
 namespace xr3 {
 
-/// Withholds the points of met goals that do not count. Returns why, as a part of a sentence for a
-/// student; empty if all count. `passive` has one element for each goal.
+/// Withholds the points of met goals that do not count. Returns the reason, as a part of a sentence
+/// for a student; empty if all count. `passive` has one element for each goal.
 std::string withhold(std::vector<GoalResult>& results, const GoalList& list,
                      const std::vector<bool>& passive, RunOutcome outcome, const RunFacts& facts);
 

@@ -1,5 +1,5 @@
-// What a judge must know of a run beside its end: collected while the run goes on, by
-// cell/judge. Values only.
+// Facts about a run that its end does not show: collected by cell/judge while the run continues.
+// Values only.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace xr3 {
 
-/// Why a run ended.
+/// The reason why a run ended.
 enum class RunOutcome : std::uint8_t {
   kFinished,  ///< the program ended with exit code 0
   kFailed,    ///< the program could not be started, or ended with another code or by a signal
@@ -22,16 +22,16 @@ enum class RunOutcome : std::uint8_t {
 
 /// A problem that was reported, with the number of times.
 struct RunProblem {
-  Tick tick = 0;  ///< of the first time
+  Tick tick = 0;  ///< tick of the first time
   std::string code;
-  std::string message;  ///< of the first time
+  std::string message;  ///< message of the first time
   std::uint64_t count = 0;
 };
 
-/// Where a goal for the whole run was first missed.
+/// The place where a goal for the whole run was first missed.
 struct Breach {
   Tick tick = 0;
-  std::string block;  ///< empty: it was the tool tip
+  std::string block;  ///< empty if it was the tool tip
   PointUm at;
 };
 
@@ -43,12 +43,11 @@ struct RunFacts {
   std::vector<std::string> happenings;  ///< "grasped NAME" and "released NAME", in order
   std::optional<Stall> stall;           ///< the first one
   Tick stall_tick = 0;
-  std::optional<Tick>
-      soft_home_tick;  ///< of the first time that the controller's soft home was used
+  std::optional<Tick> soft_home_tick;  ///< tick at which the controller's soft home was first used
   std::vector<RunProblem> problems;
   std::uint64_t problem_count = 0;
-  Tick last_count_tick = 0;  ///< 0: no motor made a count
-  std::uint64_t bytes = 0;   ///< that the lines have received
+  Tick last_count_tick = 0;  ///< 0 if no motor made a count
+  std::uint64_t bytes = 0;   ///< number received on all lines
   Micrometres tip_path_um = 0;
   std::vector<std::optional<Breach>> breaches;  ///< one for each goal
 };

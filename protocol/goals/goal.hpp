@@ -12,7 +12,7 @@
 
 namespace xr3 {
 
-/// A point of which some coordinates are of no interest.
+/// A point, some of whose coordinates may be left open.
 struct PartialPoint {
   std::optional<Micrometres> x{};
   std::optional<Micrometres> y{};
@@ -34,13 +34,13 @@ struct BoxUm {
 /// Goals by their kind. Points are in the base frame.
 namespace goal {
 
-/// A block lies somewhere: its centroid is within `within_um` of a point, of an offset from another
+/// A place for a block: its centroid is within `within_um` of a point, of an offset from another
 /// block's centroid, or in a box; or only its yaw counts.
 struct BlockPlace {
   std::string name;
   std::optional<PartialPoint> point{};
   std::optional<BoxUm> box{};
-  std::string at{};  ///< the other block; empty: none
+  std::string at{};  ///< name of the other block; empty if there is none
   PartialPoint offset{};
   Micrometres within_um = 5'000;
   std::optional<Microdegrees> yaw_udeg{};  ///< modulo half a turn, or a quarter for a square
@@ -62,7 +62,7 @@ enum class SortAxis : std::uint8_t { kX, kMinusX, kY, kMinusY };
 /// Along an axis of the base frame, no block comes before one that is smaller, lower, or has a
 /// lower color number.
 struct Sorted {
-  std::vector<std::string> names;  ///< empty: all blocks
+  std::vector<std::string> names;  ///< empty for all blocks
   SortKey by = SortKey::kSize;
   SortAxis along = SortAxis::kX;
   bool operator==(const Sorted&) const = default;
@@ -70,7 +70,7 @@ struct Sorted {
 
 /// The jaws hold this block.
 struct Holding {
-  std::optional<std::string> name{};  ///< nullopt: no block
+  std::optional<std::string> name{};  ///< nullopt for no block
   bool operator==(const Holding&) const = default;
 };
 
@@ -79,7 +79,7 @@ struct JointValue {
   char label = 'A';
   std::optional<double> value{};  ///< degrees or mm
   std::optional<Counts> count{};
-  double within = 0;  ///< in the unit of what is given
+  double within = 0;  ///< in the unit of the value that is given
   bool operator==(const JointValue&) const = default;
 };
 
@@ -93,8 +93,8 @@ struct TipPlace {
 /// The robot never stalled.
 struct NoStall {};
 
-/// The controller found nothing wrong in what it received, and the workcell nothing in what was
-/// done.
+/// Neither the controller reported a problem in the bytes that it received, nor the workcell a
+/// warning.
 struct NoWarnings {};
 
 /// The controller's own soft home, which puts the arm there at once, was not used.
@@ -113,25 +113,25 @@ struct KeepOut {
   bool operator==(const KeepOut&) const = default;
 };
 
-/// These events happened in this order; others may have happened between them.
+/// These events happened in this order, possibly with other events between them.
 struct Order {
   std::vector<std::string> events;  ///< such as "grasped red"
   bool operator==(const Order&) const = default;
 };
 
-/// Simulated time from the start to the last count of a motor.
+/// A limit of the simulated time from the start to the last count of a motor.
 struct MaxSimTime {
   Tick ticks = 0;
   bool operator==(const MaxSimTime&) const = default;
 };
 
-/// Number of bytes that the program sent.
+/// A limit of the number of bytes that the program sent.
 struct MaxBytes {
   std::uint64_t bytes = 0;
   bool operator==(const MaxBytes&) const = default;
 };
 
-/// Length of the tool tip's path.
+/// A limit of the length of the tool tip's path.
 struct MaxTipPath {
   Micrometres length_um = 0;
   bool operator==(const MaxTipPath&) const = default;

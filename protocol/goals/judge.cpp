@@ -49,7 +49,7 @@ PartialPoint moved(const PartialPoint& offset, const PointUm& origin) {
   return {sum(offset.x, origin.x), sum(offset.y, origin.y), sum(offset.z, origin.z)};
 }
 
-/// How far apart two yaws are, where `period` turns a block into itself.
+/// The difference of two yaws; a turn by `period` does not change a block.
 Microdegrees yaw_difference(Microdegrees a, Microdegrees b, Microdegrees period) {
   const Microdegrees rest = std::abs(a - b) % period;
   return std::min(rest, period - rest);
@@ -218,7 +218,7 @@ class Judge {
     return static_cast<std::size_t>(at - all.begin());
   }
   bool is_held(std::size_t index) const { return end_.held && end_.held->block == index; }
-  /// A block where it is now; a held one as it would lie if it was released.
+  /// A block at its current place; a held one as it would lie if released.
   Block now(std::size_t index) const {
     if (!is_held(index)) return end_.blocks[index];
     return as_released(model_, end_, *end_.held, positions(model_, end_.motors));

@@ -26,7 +26,8 @@ class Varier {
   }
 
  private:
-  /// -most...most. Not a distribution of the library, which differs between libraries.
+  /// A number in -most...most. Not by a distribution of the library, which differs between
+  /// libraries.
   std::int64_t below(std::int64_t most) {
     const auto span = static_cast<std::uint64_t>(2 * most + 1);
     return static_cast<std::int64_t>(random_() % span) - most;

@@ -10,7 +10,7 @@
 
 namespace xr3 {
 
-/// How far blocks may be moved and turned from the places in their file.
+/// Limits for moving and turning blocks from the places in their file.
 struct Variation {
   std::uint64_t seed = 0;
   Micrometres most_um = 40'000;
@@ -19,8 +19,8 @@ struct Variation {
 };
 
 /// The workcell with each block that lies on the work surface moved and turned at random: within
-/// reach of the robot, in the camera's field if there is one, and 5 mm apart from others. The same
-/// seed gives the same places on every machine. nullopt if no place was found for a block.
+/// reach of the robot, in the camera's field if there is one, and 5 mm apart from others. A seed
+/// gives the same places on every machine. nullopt if no place was found for a block.
 std::optional<Workcell> varied(const Workcell& workcell, const Robot& robot,
                                const Variation& variation);
 

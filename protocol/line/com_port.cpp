@@ -11,7 +11,7 @@ namespace {
 using std::string_view_literals::operator""sv;
 using Bytes = std::span<const std::uint8_t>;
 
-/// The bytes of a request's value, by code from 1; 6 is only for servers.
+/// The sizes of the values of requests in bytes, by code from 1; code 6 is only for servers.
 constexpr std::uint8_t kUnknown = 255;
 constexpr std::array<std::uint8_t, 12> kValueBytes = {4, 1, 1, 1, 1, kUnknown, 0, 0, 0, 1, 1, 1};
 
@@ -26,7 +26,7 @@ constexpr std::uint8_t kModemState = 0xb0;
 /// The bit of the line state.
 constexpr std::uint8_t kParityError = 0x04;
 
-/// By the value of PURGE-DATA from 1.
+/// Requests by the value of PURGE-DATA from 1.
 constexpr std::array kPurges = {BufferControl::kDropReplies, BufferControl::kDropInput,
                                 BufferControl::kDropBoth};
 
@@ -52,7 +52,7 @@ void append_answer(std::string& out, std::uint8_t code, Bytes value) {
   append_com_port(out, static_cast<std::uint8_t>(code + com_port::kAnswer), value);
 }
 
-/// Sets a value that the protocol counts from 1. Returns the value to answer.
+/// Sets a value that the protocol counts from 1. Returns the value for the answer.
 template <class Value>
 std::uint8_t set_from_1(Value& setting, std::uint8_t value, Value max) {
   if (value == kAsk) return static_cast<std::uint8_t>(static_cast<std::uint8_t>(setting) + 1);
@@ -104,7 +104,7 @@ void ComPort::set_baud(Bytes value, std::string& answers) {
   append_baud(answers, com_port::kSetBaudRate + com_port::kAnswer, baud_);
 }
 
-/// Sets what a request of one byte sets. Returns the value to answer.
+/// Sets the setting of a request with a value of one byte. Returns the value for the answer.
 std::uint8_t ComPort::set(std::uint8_t code, std::uint8_t value) {
   switch (code) {
     case com_port::kSetDataSize: return set_data_bits(value);

@@ -1,6 +1,6 @@
 // The serial port that a telnet client sets up by the COM-PORT option (RFC 2217): the requests in
-// its subnegotiations and their answers. The settings are remembered and reported; they do not act
-// on the bytes, and break, DTR and RTS have no effect on the controller. Sans-I/O.
+// its subnegotiations and their answers. The settings are stored and reported; they have no effect
+// on the bytes, and break, DTR and RTS have none on the controller. Sans-I/O.
 #pragma once
 
 #include <array>
@@ -13,13 +13,13 @@
 
 namespace xr3 {
 
-/// A client's request about the bytes that are under way in either direction.
+/// A client's request about the bytes that are in transit in either direction.
 enum class BufferControl : std::uint8_t {
   kNone,
-  kSuspend,      ///< hold replies from now on
-  kResume,       ///< send what is held
-  kDropReplies,  ///< forget the replies that the client has not received yet
-  kDropInput,    ///< forget the bytes that have not reached the controller yet
+  kSuspend,      ///< hold replies until kResume
+  kResume,       ///< send the held replies
+  kDropReplies,  ///< discard the replies that the client has not received yet
+  kDropInput,    ///< discard the bytes that have not reached the controller yet
   kDropBoth,
 };
 

@@ -5,7 +5,7 @@
 namespace xr3 {
 namespace {
 
-/// The table of the commands that a Mark III has, too.
+/// The table of the commands that a Mark III has.
 struct ForDevice {
   using Result = std::optional<DeviceCommand>;
 

@@ -14,11 +14,11 @@ struct DeviceCommand {
   bool is_inquiry = false;
 };
 
-/// nullopt if only the simulator has the command. The bytes name the joint, whatever was selected
-/// before, and a number ends with a carriage return.
+/// The bytes of a command; nullopt if only the simulator has it. The bytes name the joint, whatever
+/// was selected before, and a number ends with a carriage return.
 std::optional<DeviceCommand> for_device(const Command& command);
 
-/// The stop of every joint that a Mark III can have: `AX` to `HX`.
+/// The bytes that stop every joint that a Mark III can have: `AX` to `HX`.
 std::string stop_all_joints();
 
 }  // namespace xr3

@@ -2,8 +2,7 @@
 // detector holds back the first bytes of a connection while they may begin an HTTP request line
 // (RFC 9112, RFC 9113), a TLS hello, or STUN or TURN over TCP (RFC 8489, RFC 8656; with or without
 // the frames of RFC 4571). If such an opening is complete, none of its bytes has been executed. At
-// the first byte that differs, the held bytes are released for execution and detection ends for
-// good.
+// the first byte that differs, the held bytes are released for execution and detection ends.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +25,7 @@ class HttpTlsDetector {
   /// appended to held(); the byte that decides is not.
   Detection feed(std::uint8_t byte);
 
-  /// Whether feed() would return kPass and hold no byte: that was decided before.
+  /// Whether detection has ended with kPass before, so that feed() would hold no byte.
   bool has_passed() const { return detection_ == Detection::kPass && held_.empty(); }
   /// The held bytes, at most kMaxHeld.
   std::string_view held() const { return held_; }

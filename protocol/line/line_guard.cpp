@@ -25,7 +25,7 @@ bool is_in_method(char c) {
   return is_letter_or_digit(c) || "!#$%&'*+-.^_`|~"sv.find(c) != std::string_view::npos;
 }
 
-/// A method of any name, a blank and a target.
+/// Whether the chunk begins with a method of any name, a blank and a target.
 bool is_request(std::string_view chunk) {
   const auto method = static_cast<std::size_t>(
       std::find_if_not(chunk.begin(), chunk.end(), is_in_method) - chunk.begin());
@@ -53,7 +53,8 @@ bool is_text(char c) {
   return (c >= ' ' && c < kDelete) || c == '\r' || c == '\n' || c == '\t' || c == '\b';
 }
 
-/// Neither text nor telnet. A telnet client may begin with commands, which contain any bytes.
+/// Whether the chunk is neither text nor telnet. A telnet client may begin with commands, which
+/// contain any bytes.
 bool is_binary(std::string_view chunk) {
   return !chunk.starts_with(kTelnetCommand) && !std::all_of(chunk.begin(), chunk.end(), is_text);
 }

@@ -35,7 +35,7 @@ Micros CharacterTime::of(std::int64_t count) const { return half_micros_of(count
 
 Micros CharacterTime::rounded() const { return (half_micros_of(1) + 1) / 2; }
 
-/// In halves of a microsecond, rounded down.
+/// The time of `count` characters in halves of a microsecond, rounded down.
 std::int64_t CharacterTime::half_micros_of(std::int64_t count) const {
   constexpr WideMicros kMicrosPerSecond = 1'000'000;
   constexpr WideMicros kMillionths = 1'000'000;

@@ -2,6 +2,7 @@
 // Exact integers, so that a line takes the same time on every machine.
 #pragma once
 
+#include <cassert>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -19,14 +20,15 @@ inline constexpr Micros kMicrosPerTick = 1'000'000 / kTickHz;
 
 constexpr Micros micros_at(Tick tick) { return tick * kMicrosPerTick; }
 
-/// The first tick at or after this moment. Precondition: it is not negative.
+/// The first tick at or after this moment. Precondition: the moment is not negative.
 constexpr Tick first_tick_after(Micros moment) {
+  assert(moment >= 0);
   return moment / kMicrosPerTick + (moment % kMicrosPerTick > 0 ? 1 : 0);
 }
 
 /// The speed that all lines of a robot have.
 struct LineSpeed {
-  std::optional<SerialSettings> settings;  ///< nullopt: those that the client of the line sets
+  std::optional<SerialSettings> settings;  ///< nullopt if the client of the line sets them
   Rate factor;                             ///< characters take the factor-th part of their time
 
   bool operator==(const LineSpeed&) const = default;
@@ -35,8 +37,8 @@ struct LineSpeed {
 /// The time of a character with start, data, parity and stop bits.
 class CharacterTime {
  public:
-  /// A frame that is not known counts as that of the Mark III controller. Precondition: a speed
-  /// above 0.
+  /// An unknown frame counts as that of the Mark III controller. Precondition: the speed is above
+  /// 0.
   CharacterTime(const SerialSettings& settings, Rate factor);
 
   /// The time of `count` characters, one after the other, rounded down to whole microseconds.

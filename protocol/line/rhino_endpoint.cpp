@@ -1,11 +1,14 @@
 #include "protocol/line/rhino_endpoint.hpp"
 
+#include <cassert>
+
 #include "protocol/line/rhino_reply.hpp"
 
 namespace xr3 {
 
 void RhinoEndpoint::feed(std::uint8_t byte, std::uint64_t offset, Simulation& simulation,
                          std::string& replies, std::vector<Exchange>& exchanges) {
+  assert(simulation.events().empty());
   for (const Parsed& item : parse(byte, offset, simulation.state().enabled))
     execute(item, simulation, replies, exchanges);
 }

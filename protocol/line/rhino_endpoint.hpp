@@ -1,5 +1,15 @@
 // The controller's end of a serial line: bytes in, replies out, and a record of how each byte was
 // interpreted. It holds the parser of one line; the machine is shared with the other lines.
+//
+// The flow through the folder: on a new connection http_tls_detector.hpp and line_guard.hpp examine
+// the first bytes and refuse browsers. telnet.hpp then removes telnet commands and answers them
+// (parser, options and the COM-PORT of RFC 2217 are in telnet_parser.hpp, telnet_options.hpp and
+// com_port.hpp); a raw client passes unchanged. RhinoEndpoint::feed() passes each data byte to
+// rhino_parser.hpp, which emits a command at its last byte or a problem, executes the command on
+// the Simulation of core and encodes the reply with rhino_reply.hpp. telnet.hpp escapes the reply.
+// line_speed.hpp says how long the bytes take at a baud rate. With a physical controller
+// device_command.hpp encodes the commands for it instead. telnet_client.hpp is the other end, for
+// `xr3 term`. All of these are values without I/O.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +33,7 @@ struct Exchange {
   /// equal if there is no reply.
   std::uint64_t reply_from = 0;
   std::uint64_t reply_to = 0;
-  bool is_for_device = false;  ///< not executed: it goes to the physical controller
+  bool is_for_device = false;  ///< true if not executed: it goes to the physical controller
 };
 
 class RhinoEndpoint {
@@ -36,10 +46,10 @@ class RhinoEndpoint {
   void feed(std::uint8_t byte, std::uint64_t offset, Simulation& simulation, std::string& replies,
             std::vector<Exchange>& exchanges);
 
-  /// The first half of feed(): what the byte completes, in order, at most three items. Valid until
-  /// the next call. `enabled`: the simulator is.
+  /// Parses a byte, the first half of feed(): returns the items that it completes, in order, at
+  /// most three. Valid until the next call. `enabled`: whether the simulator is.
   const std::vector<Parsed>& parse(std::uint8_t byte, std::uint64_t offset, bool enabled);
-  /// The second half of feed(), for one of these items.
+  /// Executes one of these items, the second half of feed().
   void execute(const Parsed& item, Simulation& simulation, std::string& replies,
                std::vector<Exchange>& exchanges) const;
 

@@ -14,7 +14,7 @@ bool is_space(std::uint8_t byte) { return byte == ' ' || byte == '\0'; }
 bool is_blank(std::uint8_t byte) { return is_line_end(byte) || is_space(byte); }
 bool is_within(int value, int min, int max) { return value >= min && value <= max; }
 
-/// The letter in upper case, or 0.
+/// The letter in upper case, or 0 if the byte is no letter.
 std::uint8_t letter_of(std::uint8_t byte) {
   if (byte >= 'a' && byte <= 'z') return static_cast<std::uint8_t>(byte - 'a' + 'A');
   return byte >= 'A' && byte <= 'Z' ? byte : std::uint8_t{0};
@@ -141,8 +141,8 @@ bool RhinoParser::feed_argument(std::uint8_t byte, std::vector<Parsed>& out) {
   }
 }
 
-// A number after a label. A blank that ends it belongs to it, and so does S after an unsigned
-// number.
+// Handles a byte of the number after a label. A blank that ends it belongs to it, and so does S
+// after an unsigned number.
 bool RhinoParser::feed_number(std::uint8_t byte, std::vector<Parsed>& out) {
   if (is_digit(byte)) {
     number_.push(byte);
@@ -178,7 +178,7 @@ void RhinoParser::end_number(std::vector<Parsed>& out) {
   emit(Command{Move{label_, number_.value()}}, out);
 }
 
-// The digit after P, R or A%.
+// Handles the digit after P, R or A%.
 bool RhinoParser::feed_digit(std::uint8_t byte, std::vector<Parsed>& out) {
   if (is_space(byte)) {
     consume(byte);
@@ -229,7 +229,8 @@ void RhinoParser::end_period(std::vector<Parsed>& out) {
   emit(Problem{ProblemCode::kNumberOutOfRange, Subject::kPeriod}, out);
 }
 
-// The numbers of A!x,y,z! and A*c,r*. The list ends with the byte that started it.
+// Handles a byte of the numbers of A!x,y,z! and A*c,r*. The list ends with the byte that started
+// it.
 bool RhinoParser::feed_list(std::uint8_t byte, std::vector<Parsed>& out) {
   if (byte == static_cast<std::uint8_t>(opener_)) {
     consume(byte);

@@ -82,9 +82,10 @@ class RhinoParser {
   /// most three, so memory stays bounded for any input.
   void feed(std::uint8_t byte, std::uint64_t offset, std::vector<Parsed>& out);
 
-  /// The same while the controller is disabled: only `A@` is accepted, everything else is a
-  /// problem.
-  void feed_disabled(std::uint8_t byte, std::uint64_t offset, std::vector<Parsed>& out);
+  /// Handles a byte like feed() while the controller is disabled: only `A@` is accepted, everything
+  /// else is a problem. Not inlined, so that feed() stays light.
+  [[gnu::noinline]] void feed_disabled(std::uint8_t byte, std::uint64_t offset,
+                                       std::vector<Parsed>& out);
 
   bool operator==(const RhinoParser&) const = default;
   void write_state(StateWriter& out) const {
@@ -115,7 +116,7 @@ class RhinoParser {
   void feed_environment(std::uint8_t byte, std::vector<Parsed>& out);
   void select(std::uint8_t letter, std::uint8_t byte);
 
-  // Each handles a byte of an argument. Returns false if the byte is not part of it and must be
+  // Handlers of a byte of an argument. Each returns false if the byte is not part of it and must be
   // handled again.
   bool feed_argument(std::uint8_t byte, std::vector<Parsed>& out);
   bool feed_number(std::uint8_t byte, std::vector<Parsed>& out);
@@ -145,9 +146,9 @@ class RhinoParser {
   std::uint8_t list_size_ = 0;
   Number number_;
   std::array<std::int32_t, 3> list_{};
-  std::uint64_t offset_ = 0;  ///< of the current byte
-  std::uint64_t from_ = 0;    ///< of the first byte in raw_
-  std::uint64_t to_ = 0;      ///< after the last byte in raw_
+  std::uint64_t offset_ = 0;  ///< offset of the current byte
+  std::uint64_t from_ = 0;    ///< offset of the first byte in raw_
+  std::uint64_t to_ = 0;      ///< offset after the last byte in raw_
   RawBytes raw_;
 };
 

@@ -10,7 +10,7 @@ namespace {
 
 using std::string_view_literals::operator""sv;
 
-// In the order of the enumerations.
+// Letters in the order of the enumerations.
 constexpr std::string_view kParities = "noems";
 constexpr std::array kStopBits = {"1"sv, "2"sv, "1.5"sv};
 constexpr std::array kFlows = {""sv, "-xonxoff"sv, "-rtscts"sv};
@@ -31,7 +31,7 @@ std::string lower(std::string_view text) {
   return all;
 }
 
-/// `7e2` and an optional flow control.
+/// Parses `7e2` and an optional flow control.
 std::optional<SerialFrame> parse_frame(std::string_view text) {
   if (text.size() < 3) return std::nullopt;
   const auto data_bits = static_cast<std::uint8_t>(text[0] - '0');

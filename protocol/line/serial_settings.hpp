@@ -1,6 +1,6 @@
 // The settings of a serial port: speed, frame and flow control. Values with a text form, such as
-// `9600-7e2`, in options and messages. They say what a program has set on its side; they do not
-// act on the bytes.
+// `9600-7e2`, in options and messages. They record the settings on the program's side, and have no
+// effect on the bytes.
 #pragma once
 
 #include <cstdint>
@@ -31,13 +31,14 @@ struct SerialFrame {
 
 struct SerialSettings {
   std::uint32_t baud = kDefaultBaud;  ///< not 0
-  std::optional<SerialFrame> frame;   ///< nullopt: not known
+  std::optional<SerialFrame> frame;   ///< nullopt if not known
 
   bool operator==(const SerialSettings&) const = default;
 };
 
-/// `9600-7e2`: speed, data bits, parity (n, o, e, m or s) and stop bits (1, 1.5 or 2), then
-/// `-xonxoff` or `-rtscts` if there is flow control. Only the speed if the frame is not known.
+/// The text form, `9600-7e2`: speed, data bits, parity (n, o, e, m or s) and stop bits (1, 1.5 or
+/// 2), then `-xonxoff` or `-rtscts` if there is flow control. Only the speed if the frame is not
+/// known.
 std::string text_of(const SerialSettings& settings);
 
 /// Reads the form of text_of(); letters in either case. nullopt if the text has another form, a

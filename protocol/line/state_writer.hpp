@@ -1,5 +1,5 @@
 // Collects the parts of a state as bytes, for a digest: the same on every machine, and different if
-// any part differs. Independent of what the parts mean.
+// any part differs. Independent of the meaning of the parts.
 #pragma once
 
 #include <array>

@@ -21,7 +21,7 @@ TelnetInput TelnetFilter::handle(const TelnetItem& item, std::string& answers) {
   return {};
 }
 
-// After COM-PORT has been switched off, no RESUME can come.
+// Negotiates an option. After COM-PORT has been switched off, no RESUME can arrive.
 BufferControl TelnetFilter::negotiate(const TelnetItem& item, std::string& answers) {
   is_telnet_ = true;
   const bool had_com_port = has_com_port();
@@ -50,7 +50,7 @@ std::optional<SerialSettings> TelnetFilter::settings() const {
 
 void TelnetFilter::encode(std::string_view replies, std::string& out) const {
   if (is_telnet_) return append_escaped(out, replies);
-  out.append(replies);  // a picture comes by the hundred kilobytes
+  out.append(replies);  // replies with a picture have hundreds of kilobytes
 }
 
 }  // namespace xr3

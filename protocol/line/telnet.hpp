@@ -15,7 +15,7 @@
 
 namespace xr3 {
 
-/// The result of one byte from the client: data, a command about bytes under way, or neither.
+/// The result of one byte from the client: data, a command about bytes in transit, or neither.
 struct TelnetInput {
   std::optional<std::uint8_t> data;  ///< for the controller
   BufferControl control = BufferControl::kNone;
@@ -33,10 +33,10 @@ class TelnetFilter {
   /// Whether feed() would return this byte as data.
   bool is_data(std::uint8_t byte) const { return parser_.is_data(byte); }
 
-  /// The client speaks telnet: it has sent a complete option or an interrupt (IP).
+  /// Whether the client speaks telnet: it has sent a complete option or an interrupt (IP).
   bool is_telnet() const { return is_telnet_; }
 
-  /// The option COM-PORT is on at either side.
+  /// Whether the option COM-PORT is on at either side.
   bool has_com_port() const;
   /// The settings of the serial port; nullopt without COM-PORT.
   std::optional<SerialSettings> settings() const;
@@ -44,7 +44,7 @@ class TelnetFilter {
   /// Appends reply bytes in the client's encoding: FF is doubled for telnet.
   void encode(std::string_view replies, std::string& out) const;
 
-  /// Tells the client, if it has a serial port, that the next byte had a parity error.
+  /// Reports a parity error of the next byte, if the client has a serial port.
   void report_parity_error(std::string& out) const {
     if (has_com_port()) com_port_.append_parity_error(out);
   }
@@ -53,7 +53,7 @@ class TelnetFilter {
   void write_state(StateWriter& out) const { out.add(parser_, is_telnet_, options_, com_port_); }
 
  private:
-  /// The rest of feed(): it is apart because almost every byte is data.
+  /// The rest of feed(): separate because almost every byte is data.
   TelnetInput handle(const TelnetItem& item, std::string& answers);
   BufferControl negotiate(const TelnetItem& item, std::string& answers);
   BufferControl end_subnegotiation(std::string& answers);

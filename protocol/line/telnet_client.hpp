@@ -17,23 +17,24 @@ namespace xr3 {
 
 class TelnetClient {
  public:
-  /// The settings that the server's port shall have.
+  /// `wanted`: the settings for the server's port.
   explicit TelnetClient(const SerialSettings& settings) : wanted_(settings) {}
 
-  /// The bytes to send first.
+  /// The bytes that open the negotiation.
   std::string opening();
 
-  /// Handles a byte from the server: data, or nullopt. Appends what must be sent to `answers`.
+  /// Handles a byte from the server. Returns data, or nullopt. Appends the answers for the server
+  /// to `answers`.
   std::optional<std::uint8_t> feed(std::uint8_t byte, std::string& answers);
 
   /// Appends data in the encoding of telnet: FF is doubled.
   static void encode(std::string_view data, std::string& out) { append_escaped(out, data); }
 
-  /// The server has accepted COM-PORT.
+  /// Whether the server has accepted COM-PORT.
   bool has_com_port() const;
-  /// The server has refused COM-PORT, or answered every setting.
+  /// Whether the server has refused COM-PORT, or answered every setting.
   bool is_settled() const;
-  /// The server has asked to send no data for now.
+  /// Whether the server has asked to send no data for now.
   bool is_suspended() const { return is_suspended_; }
   /// The settings that the server has confirmed; until is_settled(), the wanted ones.
   SerialSettings settings() const;

@@ -9,7 +9,7 @@
 
 namespace xr3::telnet {
 
-inline constexpr std::uint8_t kSe = 0xf0;  ///< also the lowest command
+inline constexpr std::uint8_t kSe = 0xf0;  ///< end of a subnegotiation, and the lowest command
 inline constexpr std::uint8_t kInterrupt = 0xf4;
 inline constexpr std::uint8_t kSb = 0xfa;
 inline constexpr std::uint8_t kWill = 0xfb;
@@ -59,7 +59,7 @@ void append_escaped(std::string& out, std::string_view data);
 
 /// Appends a subnegotiation of COM-PORT; FF in the value is doubled.
 void append_com_port(std::string& out, std::uint8_t code, std::span<const std::uint8_t> value);
-/// The same with a speed as the value of SET-BAUDRATE.
+/// Appends a subnegotiation with a speed as the value of SET-BAUDRATE.
 void append_baud(std::string& out, std::uint8_t code, std::uint32_t baud);
 
 }  // namespace xr3

@@ -7,7 +7,7 @@
 namespace xr3 {
 namespace {
 
-/// The bit of an accepted option; 0 for the others.
+/// The bit of an accepted option; 0 for all others.
 std::uint8_t bit_of(std::uint8_t option) {
   switch (option) {
     case telnet::kBinary: return 1;

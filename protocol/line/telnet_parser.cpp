@@ -16,7 +16,7 @@ bool TelnetParser::is_data(std::uint8_t byte) const {
   return mode_ == Mode::kCommand && (byte < telnet::kSe || byte == telnet::kIac);
 }
 
-// The byte after IAC. If it is not a telnet command, it is data, and only the FF is lost.
+// Handles the byte after IAC. If it is not a telnet command, it is data, and only the FF is lost.
 TelnetItem TelnetParser::feed_command(std::uint8_t byte) {
   const bool is_byte_of_data = is_data(byte);
   mode_ = Mode::kData;

@@ -17,7 +17,7 @@ struct TelnetItem {
   enum class Kind : std::uint8_t { kNothing, kData, kCommand, kOption, kSubnegotiation };
   Kind kind = Kind::kNothing;
   std::uint8_t byte = 0;    ///< the data, the command, or the option's WILL, WONT, DO or DONT
-  std::uint8_t option = 0;  ///< of kOption
+  std::uint8_t option = 0;  ///< kOption: the option
 };
 
 class TelnetParser {
@@ -39,7 +39,7 @@ class TelnetParser {
   /// Whether feed() would return this byte as data.
   bool is_data(std::uint8_t byte) const;
 
-  /// The last subnegotiation: its option and the first bytes after it. Call it when feed() has
+  /// The last subnegotiation: its option and the first bytes after it. Call when feed() has
   /// returned kSubnegotiation.
   std::span<const std::uint8_t> subnegotiation() const {
     return std::span(kept_).first(kept_bytes_);
@@ -65,7 +65,8 @@ class TelnetParser {
   Mode mode_ = Mode::kData;
   std::uint8_t verb_ = 0;  ///< WILL, WONT, DO or DONT before an option
   std::uint8_t kept_bytes_ = 0;
-  std::uint16_t length_ = 0;  ///< of the subnegotiation so far; a command in it counts as one byte
+  /// Bytes of the subnegotiation so far; a command in it counts as one byte.
+  std::uint16_t length_ = 0;
   std::array<std::uint8_t, kMaxKept> kept_{};
 };
 

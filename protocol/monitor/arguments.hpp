@@ -65,11 +65,11 @@ class ArgsReader {
              WorkcellBounds bounds = WorkcellBounds::kFile)
       : object_(object), pointer_(std::move(pointer)), findings_(findings), bounds_(bounds) {}
 
-  /// The member, unchecked, or empty. From now on refuse_others() regards it as known.
+  /// The member, unchecked, or empty. Marks it as known for refuse_others().
   JsonValue ask(const std::string& name, Presence presence = Presence::kOptional,
                 std::string allowed = {});
-  /// The same for an object. If it is invalid, or required and missing, records that and returns
-  /// empty.
+  /// The member, which must be an object. If it is invalid, or required and missing, records that
+  /// and returns empty.
   JsonValue object(const std::string& name, Presence presence,
                    const std::string& allowed = "an object");
 

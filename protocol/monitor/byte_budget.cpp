@@ -18,7 +18,7 @@ bool ByteBudget::make_room(const Member& member, std::size_t more, std::size_t w
     const auto [most, greediest] = *by_size_.rbegin();
     if (greediest == &member || most <= wanted) return false;
     greediest->shrink();
-    if (greediest->bytes() >= most) return false;  // it has no more to give
+    if (greediest->bytes() >= most) return false;  // nothing more can be freed
     set_bytes(*greediest, most, greediest->bytes());
   }
   return true;

@@ -1,6 +1,6 @@
 // The memory that the growing parts of all cells, such as their rings, may have together. When the
-// budget is used up, the largest part gives up to half of its bytes, the oldest, to a smaller one
-// that wants to grow. So busy cells share the memory, and a cell at rest needs none.
+// budget is used up, the largest part gives half of its bytes, the oldest, to a smaller one that
+// grows. So busy cells share the memory, and a cell at rest needs none.
 #pragma once
 
 #include <cstddef>
@@ -16,12 +16,12 @@ class ByteBudget {
   ByteBudget(const ByteBudget&) = delete;
   ByteBudget& operator=(const ByteBudget&) = delete;
 
-  /// A part that grows, as far as the budget knows it.
+  /// A part that grows and takes its bytes from the budget.
   class Member {
    public:
-    /// The bytes that it has.
+    /// The bytes that the part has.
     virtual std::size_t bytes() const = 0;
-    /// Gives up half of its bytes, or fewer.
+    /// Releases half of its bytes, or fewer.
     virtual void shrink() = 0;
 
    protected:
@@ -31,11 +31,11 @@ class ByteBudget {
   /// kVital: granted although the budget is used up.
   enum class Necessity : std::uint8_t { kUseful, kVital };
 
-  /// Lets a member have `wanted` bytes instead of those that it has. Other members that have more
+  /// Lets a member have `wanted` bytes in place of its current ones. Other members that have more
   /// than that shrink if necessary. Returns false, and changes nothing for this member, if it is
   /// not possible.
   bool grant(Member& member, std::size_t wanted, Necessity necessity = Necessity::kUseful);
-  /// The member gives all its bytes back.
+  /// Returns all bytes of a member to the budget.
   void release(Member& member);
 
   std::size_t used_bytes() const { return used_bytes_; }

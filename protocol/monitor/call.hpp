@@ -18,7 +18,7 @@ namespace xr3 {
 /// A cell's state and workcell as kept in a snapshot, without lines and clock. A cell with the same
 /// robot and profile that loads it continues bit-identically.
 struct SavedCell {
-  std::string robot_hash;  ///< of robot and profile, see cell/digest.hpp
+  std::string robot_hash;  ///< hash of robot and profile, see cell/digest.hpp
   Workcell workcell;       ///< from the file or from the last call `workcell`
   State state;
   bool operator==(const SavedCell&) const = default;
@@ -42,7 +42,7 @@ struct Step {
 };
 /// Advances a manual clock until the cell is at rest or until a tick, by at most max_ticks.
 struct RunUntil {
-  std::optional<Tick> tick;  ///< nullopt: until the cell is at rest
+  std::optional<Tick> tick;  ///< nullopt to run until the cell is at rest
   Tick max_ticks = 0;
 };
 /// Restores the initial state and begins a new epoch at tick 0. Lines stay open, their parsers are
@@ -50,13 +50,13 @@ struct RunUntil {
 struct Reset {};
 /// Equivalent to A$ on a line.
 struct Home {};
-/// A function of command mode (paper, Table IV). It works even while the controller is disabled.
+/// A function of command mode (paper, Table IV). Available even while the controller is disabled.
 struct Key {
   Command command;  ///< display, view vector, home, status option, enable, function keys, path
 };
 /// Stops all joints of the physical controller, even while the simulator is enabled.
 struct StopDevice {};
-/// The arm of the physical controller is at its soft home: so is the simulation from now on.
+/// Aligns the simulation with the arm of the physical controller, which is at its soft home.
 struct AlignMirror {};
 struct SetInput {
   int input = 1;  ///< 1...8
@@ -67,13 +67,13 @@ struct AddBlock {
 };
 struct MoveBlock {
   std::string name;
-  std::optional<PointUm> centroid_um;  ///< nullopt: unchanged, as for yaw_udeg
+  std::optional<PointUm> centroid_um;  ///< nullopt if unchanged, also for yaw_udeg
   std::optional<Microdegrees> yaw_udeg;
 };
 struct RemoveBlock {
   std::string name;
 };
-/// The robot's state is kept; a held block disappears with the old workcell.
+/// Replaces the workcell. The robot's state is kept; a held block disappears with the old workcell.
 struct ReplaceWorkcell {
   Workcell workcell;
 };
@@ -89,11 +89,11 @@ struct LoadSnapshot {
 /// Adds a fault, or replaces the one with its name.
 struct SetFault {
   Fault fault;
-  std::optional<std::uint64_t> seed;  ///< of all faults; nullopt: unchanged
+  std::optional<std::uint64_t> seed;  ///< seed of all faults; nullopt if unchanged
 };
 /// Removes a fault, or all faults.
 struct ClearFault {
-  std::string name;  ///< empty: all
+  std::string name;  ///< empty for all faults
 };
 
 using Call = std::variant<Pause, Resume, SetRate, Step, RunUntil, Reset, Home, Key, StopDevice,
@@ -107,7 +107,7 @@ struct Done {
   SavedCellPtr saved;             ///< snapshot_save and snapshot_load only
 };
 
-/// A call that was refused. Nothing has changed.
+/// A call that was refused and has changed nothing.
 struct Refused {
   std::string code;  ///< stable, such as `clock_running`
   std::string message;

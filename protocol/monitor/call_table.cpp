@@ -37,7 +37,7 @@ std::optional<After> read_after(ArgsReader& args) {
   return after;
 }
 
-/// Reads all members of args.
+/// Reads args, and the members beside them.
 CallRequest read_args(const CallForm& form, ArgsReader& args) {
   CallRequest request{std::string(form.fn), form.read(args), {}, {}};
   if (form.time == CallForm::Time::kMoves) {

@@ -13,7 +13,7 @@ namespace xr3::monitor {
 /// The names of all calls, as listed in `hello`.
 const std::vector<std::string>& calls();
 
-/// nullptr if there is no such call.
+/// The form of a call; nullptr if there is no such call.
 const CallForm* find_call(std::string_view fn);
 
 /// Reads the args of a `call` request; `members` reads the members of the request.

@@ -1,6 +1,16 @@
 // A client of the monitor port, without its transport: messages in, requests to execute, and
-// messages out. The output is the reply queue, which is bounded, and then the subscriptions. The
-// transports (JSON lines over TCP, WebSocket) are thin shells around it. Independent of the cell.
+// messages out. Transports (JSON lines over TCP, WebSocket) only move bytes. Independent of the
+// cell.
+//
+// The flow through the folder: a transport splits the bytes into messages (protocol_detector.hpp,
+// line_splitter.hpp); for WebSocket http_guard.hpp checks Host and Origin. heading.hpp finds op and
+// fn for the access check without parsing. Client::handle() parses the message with request.hpp,
+// whose calls are in call_table.hpp and calls/ (arguments.hpp reads their members, call.hpp has
+// their values), and returns the request; the server executes it on a cell and answers with send(),
+// in the forms of message.hpp. Subscriptions (subscription.hpp) follow the replies: latest-wins
+// channels have one slot for a frame, channels without loss a cursor into a ring (feed.hpp), whose
+// memory all cells share (byte_budget.hpp). snapshot.hpp, image.hpp, display.hpp, model.hpp,
+// event.hpp and overview.hpp write the members of the channels. saved_cell.hpp converts snapshots.
 #pragma once
 
 #include <array>
@@ -35,7 +45,7 @@ class Client {
   /// Handles one message. The caller must execute the returned request and answer it with send()
   /// before the next message. For an invalid message it queues an error and returns nullopt.
   std::optional<Request> handle(std::string_view message);
-  /// The same for a message that read_request() has read.
+  /// Handles a message that read_request() has read, like handle().
   std::optional<Request> accept(RequestReading reading);
 
   /// Appends a message to the reply queue. Ignored after end().
@@ -52,7 +62,7 @@ class Client {
   /// The reason of end(); nullopt before.
   std::optional<CloseReason> close_reason() const { return close_reason_; }
 
-  /// The reply queue is full: handle no request until the client has read some replies.
+  /// Whether the reply queue is full: handle no request until the client has read some replies.
   bool is_full() const {
     return reply_queue_.size() >= kMaxAnswers || reply_queue_bytes_ >= kMaxAnswerBytes;
   }
@@ -65,11 +75,11 @@ class Client {
   void follow_feed(const std::string& cell, const Subscribe& wanted,
                    const std::shared_ptr<Feed>& feed);
   void unfollow(const std::string& cell, Channel channel);
-  /// The cell closes: ends all subscriptions to it. Of each channel without loss, the messages that
+  /// Ends all subscriptions to a cell that closes. Of each channel without loss, the messages that
   /// are not sent yet go to the reply queue: all if they are few, else a `lag` and the last one.
   void finish(const std::string& cell);
-  /// From now on, no frame of the cell is sent, also of later subscriptions: the client looks at
-  /// the past. Messages of channels without loss go on.
+  /// Sends no frame of the cell, also of later subscriptions, until release_frames(): the client
+  /// views the past. Messages of channels without loss continue.
   void hold_frames(const std::string& cell);
   /// Ends hold_frames().
   void release_frames(const std::string& cell);
@@ -97,7 +107,7 @@ class Client {
     overview_.emplace(max_millihz, stats_of(Channel::kOverview));
   }
   void unfollow_overview() { overview_.reset(); }
-  /// nullptr: not subscribed.
+  /// The subscription to the overview; nullptr if not subscribed.
   OverviewSubscription* overview() { return overview_ ? &*overview_ : nullptr; }
 
   /// Statistics per channel, indexed by Channel.
@@ -105,7 +115,8 @@ class Client {
 
   /// Whether next_output() has a message.
   bool has_output(FrameNumber now) const;
-  /// The next message to send, or nullptr: replies first, then the subscriptions, round-robin.
+  /// The next message to send; nullptr if there is none. Replies first, then the subscriptions,
+  /// round-robin.
   Message next_output(FrameNumber now);
 
  private:
@@ -129,7 +140,7 @@ class Client {
   std::size_t reply_queue_bytes_ = 0;
   std::array<ChannelStats, kChannels> channel_stats_{};
   std::map<Where, Followed> followed_;
-  std::set<std::string> held_;  ///< cells
+  std::set<std::string> held_;  ///< names of cells whose frames are held
   std::optional<OverviewSubscription> overview_;
   const Where* last_turn_ = nullptr;  ///< the key of the channel that was served last
   std::optional<CloseReason> close_reason_;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -24,7 +25,7 @@ class Feed {
   virtual std::int64_t first() const = 0;
   /// The seq of the next message.
   virtual std::int64_t next() const = 0;
-  /// Requires first() <= seq < next().
+  /// The message as text. Precondition: first() <= seq < next().
   virtual Message at(std::int64_t seq) = 0;
 };
 
@@ -36,7 +37,7 @@ class Ring final : public Feed, private ByteBudget::Member {
   using ToMessage = std::function<Message(const Value& value, std::int64_t seq)>;
 
   /// `most`, above 0, is the capacity. `heap_bytes` is an estimate of the memory of a message
-  /// outside of its slot. `budget` must outlive the ring; null: none.
+  /// outside of its slot. `budget` must outlive the ring; nullptr if unlimited.
   Ring(std::size_t most, ToMessage to_message, ByteBudget* budget = nullptr,
        std::size_t heap_bytes = 0)
       : most_(most),
@@ -64,13 +65,17 @@ class Ring final : public Feed, private ByteBudget::Member {
   std::int64_t first() const override { return first_; }
   std::int64_t next() const override { return next_; }
   Message at(std::int64_t seq) override {
+    assert(first() <= seq && seq < next_);
     Slot& slot = slot_of(seq);
     if (!slot.text) slot.text = to_message_(slot.value, seq);
     return slot.text;
   }
-  /// The value of a message. Requires first() <= seq < next().
-  const Value& value_at(std::int64_t seq) const { return slot_of(seq).value; }
-  /// The number of messages that it may keep now.
+  /// The value of a message. Precondition: first() <= seq < next().
+  const Value& value_at(std::int64_t seq) const {
+    assert(first() <= seq && seq < next_);
+    return slot_of(seq).value;
+  }
+  /// The number of messages that the ring may keep now.
   std::size_t capacity() const { return capacity_; }
 
  private:
@@ -85,7 +90,7 @@ class Ring final : public Feed, private ByteBudget::Member {
   using Segment = std::array<Slot, kSegment>;
   using SegmentPtr = std::unique_ptr<Segment>;
 
-  /// The number of segments that so many messages may touch.
+  /// The number of segments that this number of messages may touch.
   static std::size_t segments_for(std::size_t messages) {
     return (messages + kSegment - 1) / kSegment + 1;
   }
@@ -102,7 +107,8 @@ class Ring final : public Feed, private ByteBudget::Member {
   }
   std::size_t bytes() const override { return capacity_ * slot_bytes_; }
 
-  // The first places are always granted: without them nothing could be stored.
+  // Grows the ring if the budget allows. The first places are always granted: without them nothing
+  // could be stored.
   void grow() {
     if (capacity_ >= most_) return;
     const std::size_t wanted = std::min(most_, std::max(kLeast, 2 * capacity_));
@@ -131,7 +137,7 @@ class Ring final : public Feed, private ByteBudget::Member {
   std::size_t most_;
   std::size_t slot_bytes_;
   std::size_t capacity_ = 0;
-  std::vector<SegmentPtr> segments_;  ///< null: not needed yet
+  std::vector<SegmentPtr> segments_;  ///< nullptr if not needed yet
   ToMessage to_message_;
   ByteBudget* budget_;
   std::int64_t first_ = 1;

@@ -14,7 +14,7 @@ std::vector<std::string> event_members() {
           "device", "fault", "phase",      "effects",  "waits_for", "file"};
 }
 
-/// Indexed by Channel.
+/// The members of each channel, indexed by Channel.
 const std::array<std::vector<std::string>, kChannels>& members() {
   static const std::array<std::vector<std::string>, kChannels> lists = {{
       state_members(),
@@ -28,7 +28,7 @@ const std::array<std::vector<std::string>, kChannels>& members() {
   return lists;
 }
 
-/// Indexed by Channel.
+/// The names of the channels, indexed by Channel.
 constexpr std::array<std::string_view, kChannels> kNames = {"state", "image", "display", "model",
                                                             "event", "line",  "overview"};
 

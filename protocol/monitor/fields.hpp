@@ -10,7 +10,7 @@
 
 namespace xr3::monitor {
 
-/// Such as `state` or `image`.
+/// The name of a channel, such as `state` or `image`.
 std::string_view name_of(Channel channel);
 
 /// The channel with this name, or nullopt.
@@ -19,8 +19,8 @@ std::optional<Channel> channel_named(std::string_view name);
 /// The names of all channels, as listed in `hello`.
 const std::vector<std::string>& channels();
 
-/// A latest-wins channel of a cell skips messages for slow clients. The other channels of a cell,
-/// event and line, report a lag. `overview` is none of either.
+/// Whether a channel of a cell skips messages for slow clients. The other channels of a cell, event
+/// and line, report a lag. `overview` is none of either.
 bool is_latest_wins(Channel channel);
 
 /// The members of the channel's messages except op, cell, epoch, seq and tick, which are always

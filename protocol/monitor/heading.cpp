@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::string_view kBlanks = " \t\r\n";
 constexpr std::size_t kMaxNameLength = 16;              // "op" with every character escaped
-constexpr std::size_t kMaxValue = 6 * kMaxIdBytes + 2;  // likewise an id
+constexpr std::size_t kMaxValue = 6 * kMaxIdBytes + 2;  // an id with every character escaped
 
 /// Iterates over the outermost members of a text that may be invalid JSON.
 class Skimmer {

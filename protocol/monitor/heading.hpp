@@ -12,10 +12,10 @@ namespace xr3::monitor {
 struct Heading {
   RequestId id;
   std::string op;  ///< empty if missing or not known to this version
-  std::string fn;  ///< likewise
+  std::string fn;  ///< empty if missing or not known to this version
 };
 
-/// Never throws. Needs only a small, bounded amount of memory.
+/// The heading of a message. Never throws. Needs only a small, bounded amount of memory.
 Heading heading_of(std::string_view message);
 
 /// The heading of a parsed request.

@@ -1,4 +1,4 @@
-// A health check of a monitor port: what to send, and the health after each received chunk of
+// A health check of a monitor port: the bytes to send, and the health after each received chunk of
 // bytes. Independent of sockets; needs no token.
 #pragma once
 

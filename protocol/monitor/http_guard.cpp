@@ -47,7 +47,7 @@ bool is_ip4(std::string_view text) {
   return dots == 3 && number >= 0;
 }
 
-/// Text in brackets can only be an address; which one does not matter.
+/// Whether the text is in brackets, which only an address can be; its value does not matter.
 bool is_ip6(std::string_view text) {
   return text.size() >= 4 && text.front() == '[' && text.back() == ']' &&
          text.find(':') != std::string_view::npos &&
@@ -68,8 +68,8 @@ bool is_localhost(std::string_view name) {
   return front.back() == '.' && is_same_name(name.substr(front.size()), kLocal);
 }
 
-/// A name without a dot. Numbers are excluded: browsers treat 2130706433, for example, as an
-/// address.
+/// Whether this is a name without a dot. Numbers are excluded: browsers treat 2130706433, for
+/// example, as an address.
 bool is_single_label(std::string_view name) {
   return is_host_name(name) && name.find('.') == std::string_view::npos &&
          !std::all_of(name.begin(), name.end(), is_digit) && !name.starts_with("0x") &&

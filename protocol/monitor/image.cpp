@@ -87,7 +87,7 @@ void append_row(const Image& image, int row, monitor::Encoding encoding, std::st
   text += before == '[' ? "[]" : "]";
 }
 
-/// All members, with empty rows.
+/// All members of the frame, with empty rows.
 Json frame_json(const Image& image, monitor::Encoding encoding) {
   return {{"width", image.width()},
           {"height", image.height()},

@@ -19,7 +19,7 @@ class LineSplitter {
   /// bounded by one line plus one read.
   void feed(std::string_view bytes);
 
-  /// The client has closed its side: the buffered rest is the last line.
+  /// Makes the buffered rest the last line, after the client has closed its side.
   void end() { has_ended_ = true; }
 
   /// The next complete line, without its line end and leading blanks; valid until the next call of

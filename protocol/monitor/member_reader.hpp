@@ -12,7 +12,7 @@
 
 namespace xr3::monitor {
 
-/// The member, or null if there is none or `object` is not an object.
+/// The member, or JSON null if there is none or `object` is not an object.
 const Json& member(const Json& object, const char* name);
 
 void read(const Json& object, const char* name, std::string& into);

@@ -42,7 +42,7 @@ const char* name_of(Access access) {
   return "";
 }
 
-/// The members of `hello` that describe the cell; null without one.
+/// The members of `hello` that describe the cell; JSON null without one.
 Json cell_members(const Greeting& greeting) {
   Json members = {{"cell", nullptr},   {"cells", greeting.cells}, {"epoch", nullptr},
                   {"tick", nullptr},   {"tick_hz", kTickHz},      {"clock", nullptr},
@@ -104,7 +104,7 @@ const std::string& end_of_hello() {
   return end;
 }
 
-/// The same message with more members behind `op`.
+/// A message with more members behind `op`.
 Message with_members(const Message& message, const std::string& members) {
   std::string text = *message;
   text.insert(text.find(','), members);
@@ -122,7 +122,7 @@ Message hello(const Greeting& greeting) {
   if (greeting.access != Access::kNone) message.update(cell_members(greeting));
   message["access"] = name_of(greeting.access);
   std::string text = text_of(message);
-  text.pop_back();  // its closing brace
+  text.pop_back();  // the closing brace of the message
   return std::make_shared<const std::string>(text.append(end_of_hello()));
 }
 
@@ -146,7 +146,7 @@ Message channel_message(Channel channel, const ChannelHead& head, std::string_vi
   text.append(R"(,"epoch":)").append(std::to_string(head.epoch));
   text.append(R"(,"seq":)").append(std::to_string(head.seq));
   text.append(R"(,"tick":)").append(std::to_string(head.tick));
-  members.remove_prefix(1);  // its opening brace
+  members.remove_prefix(1);  // the opening brace of the members
   if (members != "}") text.push_back(',');
   text.append(members);
   return std::make_shared<const std::string>(std::move(text));

@@ -67,13 +67,13 @@ struct ChannelHead {
 /// A message of a channel. `members` is the text of a JSON object with the members after `tick`.
 Message channel_message(Channel channel, const ChannelHead& head, std::string_view members);
 
-/// The same message as the reply to a `get`: with the id, if there is one.
+/// A channel's message as the reply to a `get`: with the id, if there is one.
 Message with_id(const Message& message, const RequestId& id);
 
-/// The same as a reply that shows the past: with `"past":true`, too.
+/// A channel's message as a reply that shows the past: with the id and `"past":true`.
 Message as_past(const Message& message, const RequestId& id);
 
-/// The same message with only the selected members and those that are always included.
+/// A channel's message with only the selected members and those that are always included.
 Message with_fields(const Message& message, const Fields& fields);
 
 /// `count` messages of a channel between two seqs were not sent to a client.

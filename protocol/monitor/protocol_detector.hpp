@@ -12,7 +12,7 @@ enum class Protocol : std::uint8_t {
   kLines,      ///< one JSON object per line
   kHttp,
   kTls,      ///< not supported
-  kNotJson,  ///< none of the above
+  kNotJson,  ///< neither of these
 };
 
 class ProtocolDetector {
@@ -23,7 +23,7 @@ class ProtocolDetector {
 
   Protocol protocol() const { return protocol_; }
 
-  /// The client was silent and has been sent `hello`: only kLines is possible from now on.
+  /// Excludes all but kLines: the client was silent and has been sent `hello`.
   void settle_for_lines() { only_lines_ = true; }
 
  private:

@@ -74,7 +74,7 @@ RequestId read_id(ArgsReader& members, InvalidValues& findings) {
   return {};
 }
 
-/// Inside a document, pointers begin at the document, as in the findings about a file.
+/// A pointer within a document, as in the findings about a file.
 std::string in_document(const std::string& pointer) {
   for (const std::string_view document : {"/args/workcell/", "/args/snapshot/"}) {
     if (pointer.starts_with(document)) return pointer.substr(document.size() - 1);

@@ -22,7 +22,7 @@ inline constexpr std::size_t kMaxIdBytes = 64;
 inline constexpr std::int64_t kMaxInteger = (std::int64_t{1} << 53) - 1;
 inline constexpr int kMaxWithinMs = 60'000;
 
-/// monostate if a request has no id or an invalid one.
+/// The id of a request; monostate if it has none or an invalid one.
 using RequestId = std::variant<std::monostate, std::int64_t, std::string>;
 
 /// The channels. The first four are latest-wins; `event` and `line` deliver every message;
@@ -36,7 +36,7 @@ enum class Encoding : std::uint8_t { kRows, kRle };
 /// The part of a channel to send. Clients with equal selections share the bytes of a message.
 struct Selection {
   Channel channel = Channel::kState;
-  Fields fields;                        ///< top-level members; nullopt: all
+  Fields fields;                        ///< top-level members; nullopt for all
   Encoding encoding = Encoding::kRows;  ///< image only
   bool operator==(const Selection&) const = default;
 };
@@ -67,7 +67,7 @@ struct Unsubscribe {
 
 struct Get {
   Selection selection;
-  std::optional<std::int64_t> since;  ///< event and line only; nullopt: the last kMaxRecalled
+  std::optional<std::int64_t> since;  ///< event and line only; nullopt for the last kMaxRecalled
 };
 inline constexpr std::int64_t kMaxRecalled = 256;
 
@@ -94,16 +94,16 @@ struct ReadTranscript {};
 struct ReadHistory {};
 /// A time of the cell's history.
 struct PastTime {
-  std::optional<std::int64_t> epoch;  ///< nullopt: the current one
+  std::optional<std::int64_t> epoch;  ///< nullopt for the current one
   Tick tick = 0;
 };
 /// Shows the past to this client, which gets no frames of the present until Live.
 struct Look {
   PastTime at;
-  std::vector<Selection> selections;  ///< of latest-wins channels
+  std::vector<Selection> selections;  ///< selections of latest-wins channels
 };
 struct Live {};
-/// Takes the cell back.
+/// Takes the cell back to a time of its history.
 struct Seek {
   PastTime at;
 };
@@ -111,7 +111,7 @@ struct Seek {
 struct Branch {
   PastTime at;
 };
-/// The description of a call and its args; nullopt: of all calls.
+/// The description of a call and its args; nullopt for all calls.
 struct Describe {
   std::optional<std::string> fn;
 };
@@ -127,7 +127,7 @@ struct CallRequest {
 
 struct Request {
   RequestId id;
-  std::optional<std::string> cell;  ///< as given, of any size; nullopt: the one of `hello`
+  std::optional<std::string> cell;  ///< as given, of any size; nullopt for the one of `hello`
   std::variant<Ping, Auth, Subscribe, Unsubscribe, Get, CallRequest> what;
 };
 
@@ -144,9 +144,8 @@ std::optional<RequestId> id_of(JsonValue value);
 /// Parses a message. Never throws.
 RequestReading read_request(std::string_view message);
 
-/// The error of a request that names a cell that the client does not know, or that names none
-/// although its `hello` had none. `known` are the cells that it may name: at most a few near ones
-/// are in the hint.
+/// The error of a request that names an unknown cell, or names none although the `hello` had none.
+/// `known` are the cells that the client may name: at most a few similar ones are in the hint.
 RequestError unknown_cell(const Request& request, const std::vector<std::string>& known);
 
 /// Keeps simulated time within kMaxInteger ticks: shortens a run_until to end at the last tick, and

@@ -17,8 +17,8 @@ namespace {
 using namespace data;  // NOLINT: keeps the tables below readable
 
 constexpr Counts kMaxCounts = 1 << 30;
-/// More than the reach of any arm that a robot file can describe; the camera's arithmetic does not
-/// overflow.
+/// A distance greater than the reach of any arm that a robot file can describe; the camera's
+/// arithmetic does not overflow.
 constexpr Micrometres kFarthestUm = 2'000'000'000;
 constexpr Micrometres kLargestUm = micrometres(kMaxLengthMm);
 constexpr Microdegrees kHalfTurn = 180'000'000;
@@ -90,7 +90,7 @@ Members<DisplaySettings> display_members() {
           required("function_keys", &DisplaySettings::function_keys, boolean())};
 }
 
-/// Bit i stands for line or port i+1.
+/// Lines and ports; bit i stands for line or port i+1.
 Members<InputOutput> io_members() {
   return {required("inputs", &InputOutput::inputs, integer<std::uint8_t>(0, UINT8_MAX)),
           required("outputs", &InputOutput::outputs, integer<std::uint8_t>(0, UINT8_MAX)),
@@ -195,7 +195,7 @@ void check_riders(const State& state, Reading& reading) {
   }
 }
 
-/// Until a path is full, its oldest point is the first.
+/// Requires a valid index of the oldest point. Until a path is full, that is the first.
 void check_path(const TipPath& path, Reading& reading) {
   if (path.oldest == 0 || path.points.size() == TipPath::kMaxTipPoints) return;
   if (!reading.is_sound("/state/tip_path")) return;

@@ -15,23 +15,23 @@
 
 namespace xr3 {
 
-/// `{"robot_hash","workcell","state"}`; lengths of the state in micrometres, angles in
-/// microdegrees.
+/// `{"robot_hash","workcell","state"}` of a saved cell; lengths of the state in micrometres, angles
+/// in microdegrees.
 Json saved_cell_to_json(const SavedCell& saved);
 
-/// The member `state` alone.
+/// The JSON of the member `state` alone.
 Json saved_state_to_json(const State& state);
 
 /// Reads the JSON of saved_cell_to_json(); errors go to the reading.
 std::optional<SavedCell> read_saved_cell(data::Reading& reading);
-/// The same for a JSON value; pointers begin at `json`. Never throws.
+/// Reads a saved cell from a JSON value; pointers begin at `json`. Never throws.
 FileReading<SavedCell> read_saved_cell(const Json& json);
 
 }  // namespace xr3
 
 namespace xr3::monitor {
 
-/// Whether a request can hold it: its JSON without blanks plus the rest of the call.
+/// Whether a request can hold the saved cell: its JSON without blanks plus the rest of the call.
 bool fits_a_request(const SavedCell& saved);
 
 /// Validates a saved cell. Returns everything that a machine with this model's robot and profile

@@ -34,7 +34,7 @@ std::string limits_of(const MotorModel& motor) {
   return std::to_string(motor.low) + "..." + std::to_string(motor.high);
 }
 
-/// A motor moves a count only if the limits allow it, so every position is within its limits.
+/// Requires each position to be within its limits: a motor moves a count only if they allow it.
 void check_positions(const Model& model, const Motors& motors, std::vector<Detail>& details) {
   for (int i = 0; i < model.motor_count(); ++i) {
     const std::int64_t position = wide_position(model, motors, i);
@@ -133,7 +133,7 @@ void check_surface(const Model& model, const State& found, const State& derived,
 
 Json point_um(const PointUm& p) { return {p.x, p.y, p.z}; }
 
-/// While a block is held, its entry keeps its pose at the grasp.
+/// Requires the pose at the grasp in a held block's entry.
 void check_held_block(const Block& found, const Block& derived, const std::string& pointer,
                       std::vector<Detail>& details) {
   if (found.centroid_um != derived.centroid_um) {
@@ -147,7 +147,7 @@ void check_held_block(const Block& found, const Block& derived, const std::strin
   }
 }
 
-/// A block on the carousel is where its count puts it.
+/// Requires a block on the carousel to be where its count puts it.
 void check_turned_block(const Block& found, const Block& derived, const std::string& pointer,
                         std::vector<Detail>& details) {
   if (found == derived) return;

@@ -6,8 +6,7 @@
 
 namespace xr3 {
 
-/// The faults with their history. What is derived from them is not written: refresh_faults()
-/// restores it.
+/// The faults with their history. Derived members are not written: refresh_faults() restores them.
 data::Codec<Faults> saved_faults();
 
 /// Reports faults that the rules of fault files do not allow; `pointer` is that of the faults.

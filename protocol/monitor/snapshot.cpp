@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -45,7 +46,7 @@ Json bits_json(unsigned bits, int count) {
   return list;
 }
 
-/// The first members of both joints and tool.
+/// The members that both joints and tool begin with.
 Json counters_json(const StateView& view, int index) {
   const bool linear = view.model.is_length(index);
   const double value = view.model.variable(index, view.position(index));
@@ -56,7 +57,7 @@ Json counters_json(const StateView& view, int index) {
           {"unit", linear ? "mm" : "deg"}};
 }
 
-/// `moving`: the motor will make counts without new input.
+/// Adds `moving`: whether the motor will make counts without new input.
 void add_motion(const StateView& view, int index, Json& members) {
   const MotorState& motor = view.motor(index);
   members["speed"] = motor.speed;
@@ -79,7 +80,7 @@ Json joints_json(const StateView& view) {
   return joints;
 }
 
-/// In row-major order; the columns are the normal, sliding and approach vectors.
+/// The rotation in row-major order; the columns are the normal, sliding and approach vectors.
 Json rotation_json(const StateView& view) {
   const Transform pose = tool_transform(view.model, view.positions);
   Json rotation = Json::array();
@@ -91,7 +92,7 @@ Json rotation_json(const StateView& view) {
   return rotation;
 }
 
-/// The tip in mm, then the approach vector scaled by the roll.
+/// The tool configuration: the tip in mm, then the approach vector scaled by the roll.
 Json configuration_json(const StateView& view) {
   const ToolConfiguration w = tool_configuration(view.model, view.positions);
   Json configuration = point_json(tool_tip(view.model, view.positions));
@@ -124,7 +125,7 @@ Json lying_json(const Block& block) {
           {"held", false}};
 }
 
-/// A held block moves with the tool; its yaw is that of its length axis, seen from above.
+/// A held block, which moves with the tool; its yaw is that of its length axis, seen from above.
 Json held_json(const StateView& view, std::size_t index) {
   const Transform pose = block_pose(view.model, view.state(), index);
   const double yaw = std::atan2(pose(1, 0), pose(0, 0)) * 180.0 / kPi;
@@ -159,9 +160,10 @@ Json io_json(const InputOutput& io) {
           {"aux", bits_json(io.auxiliary, kAuxiliaryPorts)}};
 }
 
-/// The only list of the members of `state`: names and values, in order.
-/// Precondition: there is a device. Without one, `state` does not have the member.
+/// The member `device`. Precondition: there is a device. Without one, `state` does not have the
+/// member.
 Json device_json(const StateView& view) {
+  assert(view.snapshot.device);
   const DeviceStatus& device = *view.snapshot.device;
   return {{"path", device.path},
           {"open", device.is_open},

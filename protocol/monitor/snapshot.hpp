@@ -20,7 +20,7 @@ namespace xr3 {
 struct DeviceStatus {
   std::string path;
   bool is_open = false;
-  bool is_engaged = false;  ///< commands of the lines go to it
+  bool is_engaged = false;  ///< whether commands of the lines go to the controller
   std::uint64_t bytes_out = 0;
   std::uint64_t bytes_in = 0;
   bool operator==(const DeviceStatus&) const = default;
@@ -34,14 +34,14 @@ struct Snapshot {
   int model_rev = 1;  ///< counts the changes of the workcell since the start
   State state;
   std::optional<DeviceStatus> device;
-  bool is_in_past = false;  ///< the cell was taken back, and waits
+  bool is_in_past = false;  ///< the cell was taken back, and time is stopped
   bool operator==(const Snapshot&) const = default;
 };
 
-/// Names of the top-level members that a client has selected; nullopt: all members.
+/// Names of the top-level members that a client has selected; nullopt for all.
 using Fields = std::optional<std::vector<std::string>>;
 
-/// `protected_region`, `work_surface`, or null.
+/// `protected_region`, `work_surface`, or JSON null.
 Json stall_json(Stall stall);
 
 /// The members of `state` that can be selected, in order.
@@ -54,8 +54,8 @@ Json state_json(const Model& model, const Snapshot& snapshot, const Fields& fiel
 /// Names and JSON texts of the members of a message, in order.
 using MemberTexts = std::vector<std::pair<std::string, std::string>>;
 
-/// Encodes the members of `state` again and again: only the blocks that have changed since the last
-/// call are encoded again. The texts are those of state_json().
+/// Encodes the members of `state` repeatedly: only the blocks that have changed since the last call
+/// are encoded again. The texts are those of state_json().
 class StateEncoder {
  public:
   MemberTexts encode(const Model& model, const Snapshot& snapshot);
@@ -64,8 +64,8 @@ class StateEncoder {
   /// The list of the blocks. A held block moves with the tool, so it is always encoded again.
   std::string blocks_text(const Model& model, const Snapshot& snapshot);
 
-  SharedVector<Block> blocks_;      ///< of the last call
-  std::vector<std::string> texts_;  ///< of these blocks, as if none was held
+  SharedVector<Block> blocks_;      ///< blocks of the last call
+  std::vector<std::string> texts_;  ///< texts of these blocks, as if none was held
 };
 
 /// The selected members, in the order of selection; unknown names are ignored.

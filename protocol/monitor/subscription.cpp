@@ -1,6 +1,7 @@
 #include "protocol/monitor/subscription.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <functional>
 #include <limits>
 #include <utility>
@@ -83,6 +84,7 @@ Message FrameSubscription::next_output(FrameNumber now) {
 // --- The overview.
 
 void OverviewSubscription::offer(Message message, std::int64_t seq, FrameNumber now) {
+  assert(!is_waiting());
   waiting_ = std::move(message);
   seen_ = seq;
   due_ = next_slot(now, max_millihz_);

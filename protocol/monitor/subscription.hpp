@@ -31,7 +31,7 @@ ContentId content_id(std::string_view content);
 struct Frame {
   Message message;
   std::int64_t seq = 0;
-  ContentId content;  ///< of the members without time, compared to detect changes
+  ContentId content;  ///< content of the members without time, compared to detect changes
 };
 
 /// Statistics of a channel: messages sent to a client, and messages that it missed.
@@ -58,23 +58,24 @@ class FrameSubscription {
   FrameNumber due() const { return due_; }
   bool is_due(FrameNumber now) const { return now >= due_; }
 
-  /// From now on, no frame is offered or sent.
+  /// Offers and sends no frame until release().
   void hold();
   /// Ends hold(): the next frame is sent even if nothing has changed.
   void release();
 
   /// Stores a frame in the slot, unless on_change is set and nothing has changed, or it is held.
   void offer(const Frame& frame, FrameNumber now);
-  /// The slot holds a frame.
+  /// Whether the slot holds a frame.
   bool is_waiting() const { return waiting_.message != nullptr; }
   /// The bytes of the frame in the slot.
   std::size_t waiting_bytes() const { return is_waiting() ? waiting_.message->size() : 0; }
 
-  /// With on_change: the client has or will receive this content, and no `lag` is pending. A held
-  /// subscription is settled.
+  /// Whether, with on_change, the client has or will receive this content, and no `lag` is pending.
+  /// A held subscription is settled.
   bool is_settled(const Frame& current) const;
 
-  /// The next message to send, or nullptr: first a `lag` (at most one per second), then the frame.
+  /// The next message to send; nullptr if there is none. First a `lag` (at most one per second),
+  /// then the frame.
   Message next_output(FrameNumber now);
   bool has_output(FrameNumber now) const { return waiting_.message || is_lag_due(now); }
 
@@ -101,17 +102,17 @@ class OverviewSubscription {
   OverviewSubscription(MilliHz max_millihz, ChannelStats& stats)
       : max_millihz_(max_millihz), stats_(&stats) {}
 
-  /// The seq of the last message offered; 0: none.
+  /// The seq of the last message offered; 0 if there was none.
   std::int64_t seen() const { return seen_; }
   bool is_waiting() const { return waiting_ != nullptr; }
   std::size_t waiting_bytes() const { return waiting_ ? waiting_->size() : 0; }
   bool is_due(FrameNumber now) const { return now >= due_; }
-  /// The next message will show all cells.
+  /// Makes the next message show all cells.
   void restart() {
     seen_ = 0;
     waiting_.reset();
   }
-  /// Precondition: !is_waiting().
+  /// Stores a message in the slot. Precondition: !is_waiting().
   void offer(Message message, std::int64_t seq, FrameNumber now);
   /// The message in the slot, or nullptr.
   Message next_output();
@@ -139,7 +140,7 @@ class FeedSubscription {
   }
   /// The next message, or a `lag` if messages have been overwritten in the ring, or nullptr.
   Message next_output();
-  /// If more than `most` messages wait, all but the last count as overwritten.
+  /// If more than `most` messages wait, counts all but the last as overwritten.
   void skip_to_last(std::int64_t most);
   /// The seq of the next message.
   std::int64_t position() const { return next_; }
@@ -150,7 +151,7 @@ class FeedSubscription {
   std::weak_ptr<Feed> feed_;
   ChannelStats* tally_;
   std::int64_t next_;
-  std::int64_t skipped_to_ = 0;  ///< messages before it are not sent
+  std::int64_t skipped_to_ = 0;  ///< seq before which messages are not sent
 };
 
 }  // namespace xr3::monitor

@@ -6,7 +6,7 @@
 
 namespace xr3 {
 
-/// Numbers separated by commas, such as "0,-39.01,109.89". Throws std::invalid_argument.
+/// Parses numbers separated by commas, such as "0,-39.01,109.89". Throws std::invalid_argument.
 std::vector<double> parse_numbers(const std::string& text);
 
 }  // namespace xr3

@@ -10,7 +10,8 @@ struct CodeRange {
   char32_t first;
   char32_t last;
 };
-/// Of characters of more than one byte: C1, those of direction and of line ends, and noncharacters.
+/// Unprintable characters of more than one byte: C1, those of direction and of line ends, and
+/// noncharacters.
 constexpr std::array<CodeRange, 6> kUnprintable{{{0x80, 0x9F},
                                                  {0x61C, 0x61C},
                                                  {0x200E, 0x200F},
@@ -53,7 +54,7 @@ char32_t code_point(std::string_view character) {
   return code;
 }
 
-/// Whether a character outside printable ASCII is printable. A single byte is none.
+/// Whether a character outside printable ASCII is printable. A single byte is not.
 bool is_printable(std::string_view character) {
   const char32_t code = code_point(character);
   const auto contains = [code](const CodeRange& range) {

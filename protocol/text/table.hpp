@@ -11,7 +11,7 @@ std::string plain_number(double number, int decimals = 3);
 /// A number with exactly `decimals` decimals, for columns; never -0.
 std::string fixed_number(double number, int decimals);
 
-/// A number with at most so many significant digits, as by printf's %g.
+/// A number with at most `digits` significant digits, as by printf's %g.
 std::string significant_digits(double number, int digits);
 
 /// Formats rows of cells; the first row is the heading. Cells are printed by printable_line(). A

@@ -8,7 +8,7 @@
 
 namespace xr3 {
 
-/// The number in [low, high] that is the whole text; nullopt: none.
+/// The number in [low, high] that is the whole text; nullopt if it is none.
 template <class Number>
 std::optional<Number> whole_number(std::string_view text, Number low, Number high, int base = 10) {
   Number number{};

@@ -22,13 +22,15 @@ std::string_view trimmed(std::string_view line) {
   return line.substr(begin, line.find_last_not_of(kBlanks) - begin + 1);
 }
 
-/// `*+` followed by a blank, a quote or nothing. A decorative row of `+` is an ordinary comment.
+/// Whether a line is an addition: `*+` followed by a blank, a quote or nothing. A decorative row of
+/// `+` is an ordinary comment.
 bool is_addition(std::string_view line) {
   return line.starts_with(kAddition) && (line.size() == kAddition.size() || line[2] == '"' ||
                                          kBlanks.find(line[2]) != kBlanks.npos);
 }
 
-/// For messages: replaces bytes other than printable ASCII, for files that are not text.
+/// The text for messages: bytes other than printable ASCII are replaced, for files that are not
+/// text.
 std::string printable(std::string_view text) {
   std::string result(text);
   std::replace_if(
@@ -46,7 +48,7 @@ std::vector<std::string> items_of(std::string_view line) {
   return items;
 }
 
-/// A scalar or a list of scalars. No member of a `*+` line is nested deeper.
+/// Whether the value is a scalar or a list of scalars. No member of a `*+` line is nested deeper.
 bool is_shallow(JsonValue value) {
   if (!value.is_list()) return !value.is_object();
   return std::none_of(value.begin(), value.end(),

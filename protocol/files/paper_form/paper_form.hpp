@@ -3,6 +3,14 @@
 // the paper's form lacks are in comment lines that begin with `*+`, so that conversion in both
 // directions is lossless. docs/paper-form.md describes the form. The text comes from the caller; no
 // file is read here.
+//
+// The flow through the folder: to read, lines.hpp splits the text into data lines and additions,
+// and PaperReader (reader.hpp) follows a table of rows, fills the JSON of the same data file and
+// records the line of each value. Then the JSON loader (protocol/files/robot.hpp, workcell.hpp)
+// checks the values, and the reader gives its findings the line numbers of the plain file. To
+// write, writer.hpp takes the JSON of the file and follows the same tables. The tables are in
+// robot.cpp and workcell.cpp: they name each row, its members and the words that its numbers stand
+// for.
 #pragma once
 
 #include <string>
@@ -23,7 +31,8 @@ std::string workcell_to_paper_form(const Workcell& workcell);
 /// Reads and checks a file in plain form, like read_robot() for JSON. Findings have the pointers of
 /// the JSON form. Never throws.
 FileReading<Robot> read_paper_robot(std::string_view text, const std::string& file);
-/// The same for a workcell; `robot` as in read_workcell().
+/// Reads and checks a workcell in plain form, like read_workcell() for JSON; `robot` as there.
+/// Never throws.
 FileReading<Workcell> read_paper_workcell(std::string_view text, const std::string& file,
                                           const Robot* robot = nullptr);
 

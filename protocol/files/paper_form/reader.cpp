@@ -9,7 +9,7 @@
 namespace xr3::paper {
 namespace {
 
-constexpr std::size_t kMaxLength = 250;  // of what a finding shows
+constexpr std::size_t kMaxLength = 250;  // maximum length of the text that a finding shows
 constexpr const char* kRestUnread = " (the rest of the file was not read)";
 
 Json::json_pointer at(const std::string& pointer) { return Json::json_pointer(pointer); }
@@ -153,7 +153,7 @@ void PaperReader::apply_additions(const std::vector<Addition>& additions) {
   for (const Addition& addition : additions) apply(addition);
 }
 
-/// The member goes to the innermost part that has such a member.
+/// Sets the member in the innermost part that has such a member.
 void PaperReader::apply(const Addition& addition) {
   for (auto part = parts_.rbegin(); part != parts_.rend(); ++part) {
     for (const Extra& extra : part->extras) {

@@ -20,7 +20,7 @@ namespace xr3::paper {
 struct PaperCell {
   std::string member;  ///< such as "/limits/0"
   std::vector<std::pair<int, Json>>
-      words{};            ///< numbers and the words they stand for; empty: a plain value
+      words{};            ///< numbers and the words they stand for; empty if it is a plain value
   bool is_label = false;  ///< a letter
 };
 
@@ -28,7 +28,7 @@ struct PaperCell {
 struct Row {
   std::string title;
   std::vector<PaperCell> cells;
-  std::string member{};  ///< of the row, such as "/limits"; empty: the part itself
+  std::string member{};  ///< member of the row, such as "/limits"; empty if it is the part itself
 };
 
 /// A member of the JSON file that is written in a `*+` line: its name there, and its place in the
@@ -54,7 +54,8 @@ class PaperReader {
   /// interpreted.
   std::size_t count(const std::string& title, const std::string& list, std::size_t most,
                     std::size_t least = 0);
-  /// The same with the number that row() stored at `at`, which is removed from the JSON.
+  /// Reads no line: takes the number that row() stored at `at`, which is removed from the JSON.
+  /// Otherwise like count().
   std::size_t count_at(const std::string& at, const std::string& list, std::size_t most,
                        std::size_t least = 0);
   /// Reads a line of any number of items into a list.

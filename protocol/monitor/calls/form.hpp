@@ -1,5 +1,15 @@
 // One call of the monitor: name, purpose, and how its arguments are read and written. The forms of
 // related calls are in one file each; call_table.hpp joins them.
+//
+// The flow through the folder: each source defines one of the functions below, such as
+// time_calls(), which returns a table with a row for each of its calls. call_table.hpp joins the
+// tables; their order is that of `hello` and of `describe`. read_call() finds the row of a
+// request's `fn` and runs its read function with an ArgsReader (protocol/monitor/arguments.hpp),
+// which checks each argument and records every error. To describe a call, the same read function is
+// run on an empty object: the reader then lists the arguments that were requested and their allowed
+// values, so that checks and description cannot differ. The write function is the inverse: it
+// writes the arguments of an executed call into a recording, from which a replay reads them again.
+// The cell executes the calls (cell/calls.cpp), the server those without a write function.
 #pragma once
 
 #include <cstdint>
@@ -18,18 +28,21 @@ namespace xr3::monitor {
 using CallValue = decltype(CallRequest::call);
 
 /// A read function reads the args of a call into its value. It requests every argument regardless
-/// of what it finds, so that reading an empty object yields the description of the call. If there
-/// are findings, the returned value is meaningless.
+/// of the values, so that reading an empty object yields the description of the call. If there are
+/// findings, the returned value is meaningless.
 using ReadCall = CallValue (*)(ArgsReader&);
-/// The exact inverse, for recordings: the args of a call, or nullopt if it is another call.
+/// A write function is the exact inverse, for recordings: the args of a call, or nullopt if it is
+/// another call.
 using WriteCall = std::optional<Json> (*)(const call::Call&);
 
 struct CallForm {
   std::string_view fn;
   std::string_view purpose;  ///< one sentence
   ReadCall read;
-  WriteCall write = nullptr;  ///< null: the cell does not execute the call, so it is not recorded
-  enum class Time : std::uint8_t { kStays, kMoves } time = Time::kStays;  ///< kMoves: after, fields
+  /// nullptr if the cell does not execute the call, so it is not recorded.
+  WriteCall write = nullptr;
+  /// kMoves: with the arguments `after` and `fields`.
+  enum class Time : std::uint8_t { kStays, kMoves } time = Time::kStays;
 };
 using CallForms = std::span<const CallForm>;
 

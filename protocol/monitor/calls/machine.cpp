@@ -55,7 +55,7 @@ CallValue read_key(ArgsReader& args) {
   return call::Key{std::visit(KeyReader{args}, *chosen)};
 }
 
-/// The value of a function; null if it has none.
+/// The value of a function; JSON null if it has none.
 struct KeyValue {
   Json operator()(const SetViewVector& view) const { return Json::array({view.x, view.y, view.z}); }
   Json operator()(const SelectStatus& status) const { return status.option; }
