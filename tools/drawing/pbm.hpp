@@ -7,7 +7,7 @@
 
 namespace xr3 {
 
-/// `P1`, width and height, then one line of 0 and 1 per row, from the top.
+/// The image as text: `P1`, width and height, then one line of 0 and 1 per row, from the top.
 std::string to_pbm(const Image& image);
 
 }  // namespace xr3

@@ -8,7 +8,7 @@
 namespace xr3 {
 namespace {
 
-/// Rounded to hundredths, without trailing zeros.
+/// The number rounded to hundredths, without trailing zeros.
 std::string number(double value) {
   const auto hundredths = static_cast<long long>(std::llround(std::abs(value) * 100));
   std::string text = value < 0 && hundredths != 0 ? "-" : "";

@@ -7,7 +7,8 @@
 
 namespace xr3 {
 
-/// `x,y,z`, integers -9...9, not all 0. Throws std::invalid_argument, with the allowed values.
+/// Parses `x,y,z`, integers -9...9, not all 0. Throws std::invalid_argument, with the allowed
+/// values.
 ViewVector parse_view(const std::string& text);
 
 }  // namespace xr3

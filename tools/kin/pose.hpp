@@ -18,14 +18,14 @@ struct KinMotor {
 };
 
 struct KinPose {
-  std::vector<KinMotor> motors;  ///< of the joints from the base, then of the tool
+  std::vector<KinMotor> motors;  ///< the joints' from the base, then the tool's
   std::vector<Transform> links;  ///< T(k-1,k), k = 1...n
   std::vector<Transform> bases;  ///< T(0,k), k = 0...n
   ToolConfiguration w;
   double net_roll_deg = 0;
   double opening_mm = 0;  ///< at the whole count
   bool in_protected_region = false;
-  PoseError rounded;  ///< of the whole counts
+  PoseError rounded;  ///< error at the whole counts
 
   Transform tool() const { return bases.back(); }
 };

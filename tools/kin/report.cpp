@@ -133,7 +133,7 @@ std::string counts_table(const Model& model, const InverseResult& result) {
          text_table(rows, numbers + "l");
 }
 
-/// Empty without couplings: the positions are then the motors' counts.
+/// A table of joint positions. Empty without couplings: the positions are then the motors' counts.
 std::string positions_table(const Model& model, const InverseResult& result) {
   if (model.robot().couplings.empty()) return "";
   const Rows rows = counts_rows(model, result, &NearestCounts::positions);

@@ -8,21 +8,22 @@
 
 namespace xr3 {
 
-/// `E`
+/// The label: `E`.
 std::string label_of(const Model& model, int index);
-/// `E shoulder`
+/// Label and name: `E shoulder`.
 std::string joint_title(const Model& model, int index);
-/// `deg` or `mm`
+/// The unit of the variable: `deg` or `mm`.
 std::string unit_name(const Model& model, int index);
 
-/// A stable code such as `too_far`, and what a person reads.
+/// A stable code such as `too_far`, and its text for users.
 struct CodeAndText {
   std::string code;
   std::string text;
 };
 CodeAndText described(InverseMethod method);
 CodeAndText described(InverseFreedom freedom);
-/// For a result without solutions: the reason, with the error of the pose; empty for kNo.
+/// The refusal of a result without solutions: the reason, with the error of the pose; empty for
+/// kNo.
 CodeAndText refusal_of(const InverseResult& result);
 
 /// `allowed`, or the violations, with counts in parentheses: `past limits: D 3.41 deg (30); in

@@ -71,7 +71,7 @@ std::string score(const RunReport& report) {
          std::to_string(max_points_of(report.goals));
 }
 
-/// `2 of 9 goals missed`, or what else went wrong.
+/// `2 of 9 goals missed`, or the reason why the run was not judged.
 std::string verdict_of(const RunReport& report) {
   if (report.is_passed()) return "all goals met";
   if (!report.why.empty()) return html(report.why);
@@ -119,7 +119,8 @@ std::string class_summary(const std::vector<RunReport>& reports) {
          "\n";
 }
 
-/// How many submissions got the points of each goal. A run that could not be made has no goals.
+/// A table with the number of submissions that got the points of each goal. A run that could not be
+/// made has no goals.
 std::string goal_table(const std::vector<RunReport>& reports) {
   const auto fullest = std::ranges::max_element(
       reports, {}, [](const RunReport& each) { return each.goals.size(); });
@@ -155,7 +156,7 @@ std::string link(const std::string& folder, const char* file, const std::string&
   return "<a href=\"" + folder + "/" + file + "\">" + text + "</a>";
 }
 
-/// The picture of the end, which leads to a large one, and what it shows from above.
+/// The picture of the end, which links to a large one, and a view from above.
 std::string picture(const RunReport& report, const std::string& folder) {
   const std::string image = "<img loading=\"lazy\" src=\"" + folder + "/end.svg\" alt=\"" +
                             html(report.program) + ": the robot and its workcell at the end\">";

@@ -12,7 +12,8 @@ namespace xr3 {
 /// to its files, which are in the folder with its name beside the page.
 std::string to_html(const std::vector<RunReport>& reports);
 
-/// Lines with name, outcome, points, maximum, simulated seconds, bytes, and what was missed.
+/// Lines with name, outcome, points, maximum, simulated seconds, bytes, and the goals that were
+/// missed.
 std::string to_csv(const std::vector<RunReport>& reports);
 
 }  // namespace xr3

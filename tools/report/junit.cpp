@@ -12,10 +12,10 @@ namespace {
 
 struct JunitCase {
   std::string name;
-  std::string problem = {};  ///< `failure`, `error` or `skipped`; empty: the test succeeds
+  std::string problem = {};  ///< `failure`, `error` or `skipped`; empty if the test succeeds
   std::string message = {};
   std::string text = {};
-  std::string errors = {};  ///< of the program
+  std::string errors = {};  ///< standard error of the program
 
   bool is_failed() const { return problem == "failure" || problem == "error"; }
 };
@@ -38,8 +38,9 @@ void add_errors(std::vector<JunitCase>& cases, const RunReport& report) {
   if (first != cases.end()) first->errors = report.errors;
 }
 
-/// The program and its goals. A reporter compares tests with those of an earlier run by their
-/// names, and keeps one of several equal names: so a name is the same in every run, and unique.
+/// The program and its goals as tests. A reporter compares tests with those of an earlier run by
+/// their names, and keeps one of several equal names: so a name is the same in every run, and
+/// unique.
 std::vector<JunitCase> cases_of(const RunReport& report) {
   std::vector<JunitCase> cases{case_of(report)};
   for (const GoalResult& each : report.goals) cases.push_back(case_of(each));
@@ -73,7 +74,7 @@ std::string count(const char* name, const std::vector<JunitCase>& cases, const c
          std::to_string(std::ranges::count(cases, problem, &JunitCase::problem)) + "\"";
 }
 
-/// The time is that of the program; the goals are judged at its end.
+/// A test suite for a run. Its time is that of the program; the goals are judged at the end.
 std::string suite(const RunReport& report) {
   const std::vector<JunitCase> cases = cases_of(report);
   const std::string time = " time=\"" + seconds_text(report.ticks) + "\"";

@@ -1,5 +1,15 @@
 // The report of a run of a program, and its forms: lines for a terminal, JUnit, JSON, Markdown. All
 // forms are UTF-8 and printable, see protocol/text/printable.hpp.
+//
+// The flow through the folder: the judge (cli/exec/run.hpp) runs a program, compares the end with
+// the goals (protocol/goals/judge.hpp) and fills a RunReport. A run in a process of its own returns
+// its report as JSON: to_json() writes it there, parse_report() reads it in the judge. For `xr3
+// exec` the caller then prints to_text() (text.cpp) and writes the files that the options ask for:
+// JSON and Markdown (files.cpp), and JUnit for test reporters (junit.cpp), in which the program and
+// each goal are a test. For `xr3 grade` class_report.hpp makes one page and one table from the
+// reports of all submissions. Names and messages come from programs under test and from their
+// authors, so every form escapes them: tools/text/markup.hpp for HTML and XML, printable_line() for
+// a terminal. Nothing here opens a file.
 #pragma once
 
 #include <cstdint>
@@ -13,20 +23,21 @@
 namespace xr3 {
 
 struct RunReport {
-  std::string program;  ///< its name, for titles and links; not always UTF-8
-  std::size_t run = 0;  ///< of several runs of this program, from 1; 0: it is the only one
+  std::string program;  ///< name of the program, for titles and links; not always UTF-8
+  /// Number among several runs of this program, from 1; 0 if it is the only one.
+  std::size_t run = 0;
   RunOutcome outcome = RunOutcome::kFinished;
-  std::string why;                ///< what went wrong, for the student; empty: nothing but goals
-  std::vector<GoalResult> goals;  ///< judged with any outcome
-  std::string not_counted;        ///< why some goals are not counted; empty: all are
-  std::string errors;             ///< the end of what the program wrote to standard error
+  std::string why;  ///< the problem, for the student; empty if nothing but goals was missed
+  std::vector<GoalResult> goals;  ///< goals, judged with any outcome
+  std::string not_counted;        ///< the reason why some goals are not counted; empty if all are
+  std::string errors;             ///< end of the program's standard error
   Tick ticks = 0;                 ///< simulated time from the start to rest
   double wall_s = 0;
-  std::uint64_t bytes = 0;            ///< that the program sent
+  std::uint64_t bytes = 0;            ///< number sent by the program
   std::string transcript;             ///< digest; empty without the byte clock
-  std::optional<std::uint64_t> seed;  ///< of a variation of the blocks
-  bool has_control = false;           ///< the program might use the calls of the monitor
-  std::string top_view;               ///< of the end, in characters; shown if a block is elsewhere
+  std::optional<std::uint64_t> seed;  ///< seed of a variation of the blocks
+  bool has_control = false;           ///< whether the program could use the calls of the monitor
+  std::string top_view;               ///< the end, in characters; shown if a block is elsewhere
 
   /// Whether the program ended well, met every goal, and gets the points of all.
   bool is_passed() const;
@@ -35,14 +46,14 @@ struct RunReport {
 /// The stable name: `finished`, `failed`, `time_up` or `not_run`.
 std::string name_of(RunOutcome outcome);
 
-/// The name of the program, and which of several runs it is.
+/// The name of the program, and the number of the run if there are several.
 std::string title_of(const RunReport& report);
 
-/// Lines for people, each with a line feed.
+/// Lines for a terminal, each with a line feed.
 std::string to_text(const RunReport& report);
 /// A JSON object on one line, with the printable name of the program.
 std::string to_json(const RunReport& report);
-/// Reads what to_json() wrote. Precondition: not changed since.
+/// Parses the JSON that to_json() wrote. Precondition: the text is unchanged.
 RunReport parse_report(const std::string& json);
 /// A table with a line for each goal.
 std::string to_markdown(const std::vector<RunReport>& reports);

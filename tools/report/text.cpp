@@ -15,7 +15,7 @@ std::string line_of(const GoalResult& goal) {
   return "✗ " + goal.expected + ": " + goal.found + "\n" + hint;
 }
 
-/// The last line: points, simulated time, bytes, and what a reader must know beside them.
+/// The last line: points, simulated time, bytes, and remarks such as the seed.
 std::string summary(const RunReport& report) {
   std::string text = "score " + std::to_string(points_of(report.goals)) + " of " +
                      std::to_string(max_points_of(report.goals)) + "; " +

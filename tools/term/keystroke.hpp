@@ -21,12 +21,12 @@ enum class KeyCode : std::uint8_t {
   kEnd,
   kInterrupt,  ///< Ctrl-C
   kEndOfFile,  ///< Ctrl-D
-  kOther,      ///< a key that means nothing here, such as F1
+  kOther,      ///< a key without a function here, such as F1
 };
 
 struct Keystroke {
   KeyCode code = KeyCode::kOther;
-  char byte = 0;  ///< of kByte
+  char byte = 0;  ///< kByte: the byte
   bool operator==(const Keystroke&) const = default;
 };
 

@@ -8,7 +8,7 @@
 namespace xr3::term {
 namespace {
 
-/// More than the largest image of a camera has.
+/// A size above that of the largest image of a camera.
 constexpr std::size_t kMaxReceived = std::size_t{1} << 20U;
 constexpr std::size_t kMaxExcerpt = 64;
 
@@ -124,7 +124,8 @@ bool LineDecoder::is_in_burst() const {
   return !received_.empty() && !reply_size(inquiries_.front().command, context_);
 }
 
-// The rows of a camera have one length, so the bytes tell it unless images are among them.
+// The end of a reply of unknown length. The rows of a camera have one length, so the bytes
+// determine it unless images are among them.
 std::vector<std::string> LineDecoder::end_of_burst() {
   if (!is_in_burst()) return {};
   std::size_t known = 0;

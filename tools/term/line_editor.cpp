@@ -67,7 +67,7 @@ void LineEditor::move(KeyCode code) {
   }
 }
 
-// Behind the last entry is the line that was begun before.
+// Shows an entry of the history. Behind the last entry is the line that was begun before.
 void LineEditor::recall(std::size_t entry) {
   if (shown_ == history_.size()) draft_ = text_;
   shown_ = entry;

@@ -1,5 +1,5 @@
 // A line that is edited before it is sent, with the history of earlier lines. A value; screen.hpp
-// shows it. Only printable ASCII: robots know no other text.
+// shows it. Only printable ASCII, which is all that robots understand.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@ class LineEditor {
   static constexpr std::size_t kMaxBytes = 1000;
   static constexpr std::size_t kMaxHistory = 1000;
 
-  /// What a key has completed.
+  /// The result of a key: a line is complete, or the user quits.
   enum class Result : std::uint8_t { kNothing, kLine, kQuit };
 
   /// Handles a key. After kLine, line() is the line and text() is empty. Ctrl-D on an empty line

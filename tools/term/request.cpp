@@ -29,7 +29,7 @@ std::optional<UserRequest> escape_of(std::string_view text) {
   }
 }
 
-// Of two ~ at the start of a line, one is sent, whatever follows.
+// The request of a line. Two ~ at its start send one, whatever follows.
 UserRequest request_of_line(std::string_view line) {
   if (line.starts_with("~~")) return SendBytes{std::string(line.substr(1)) + "\r"};
   if (line.starts_with(kEscapeKey)) {

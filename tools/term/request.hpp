@@ -1,4 +1,5 @@
-// What a user asks of `xr3 term` by escapes at the start of a line (~. ~s ~b ~? ~~), as values.
+// The requests of a user of `xr3 term` by escapes at the start of a line (~. ~s ~b ~? ~~), as
+// values.
 #pragma once
 
 #include <optional>
@@ -36,8 +37,8 @@ using UserRequest = std::variant<SendBytes, SendFile, SendBreak, ShowHelp, ShowH
 
 inline constexpr char kEscapeKey = '~';
 
-/// The request of an escape, given the text after the ~: `.`, `s FILE`, `b`, `?` or `~`; nullopt
-/// if it is none.
+/// The request of an escape, given the text after the ~: `.`, `s FILE`, `b`, `?` or `~`; nullopt if
+/// the text is no escape.
 std::optional<UserRequest> escape_of(std::string_view text);
 
 /// The request of a line that was edited before it is sent: an escape, or the line and a CR.

@@ -1,6 +1,6 @@
-// The text that `xr3 term` writes to a terminal, so that replies and what is being typed do not
+// The text that `xr3 term` writes to a terminal, so that replies and the line being typed do not
 // mix: a reply begins a line of its own, and an edited line stays below it. Uses only CR, LF,
-// blanks and backspaces, which every terminal knows.
+// blanks and backspaces, which every terminal supports.
 #pragma once
 
 #include <cstddef>
@@ -13,11 +13,12 @@ namespace xr3::term {
 
 class TermScreen {
  public:
-  /// Characters of the line on which keys are typed; \n ends it. Returns the text to write.
+  /// Shows characters of the line on which keys are typed;
+  ///  ends it. Returns the text to write.
   std::string type(std::string_view echo);
 
-  /// Text above what is being typed: one or more lines, with or without the last \n. Returns the
-  /// text to write.
+  /// Shows text above the line being typed: one or more lines, with or without the last
+  /// . Returns the text to write.
   std::string print(std::string_view lines);
 
   /// Shows the edited line behind a prompt, in this many columns; a longer one is scrolled. Returns
@@ -27,7 +28,7 @@ class TermScreen {
   /// Ends the edited line, which stays on the screen. Returns the text to write.
   std::string end_edit();
 
-  /// Nothing has been typed on the current line.
+  /// Whether nothing has been typed on the current line.
   bool is_at_line_start() const { return is_at_line_start_; }
 
  private:

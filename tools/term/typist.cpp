@@ -45,7 +45,7 @@ Typist::Outcome Typist::press_data(const Keystroke& key) {
   return {readable(bytes), {SendBytes{bytes}}};
 }
 
-// An unknown escape is sent as it was typed.
+// Handles a key of an escape. An unknown escape is sent as it was typed.
 Typist::Outcome Typist::press_escape(const Keystroke& key) {
   mode_ = Mode::kLineStart;
   if (key.code == KeyCode::kBackspace) return {"\b \b", {}};

@@ -1,5 +1,5 @@
-// Keys that are sent at once: which of them go to the robot, which are escapes, and what the
-// terminal shows of them, because the controller does not echo.
+// Keys that are sent at once: which of them go to the robot, which are escapes, and the echo that
+// the terminal shows, because the controller does not echo.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ class Typist {
 
   Outcome press(const Keystroke& key);
 
-  /// The terminal has begun a new line, below a reply. An escape may follow.
+  /// Notes that the terminal has begun a new line, below a reply. An escape may follow.
   void begin_line();
 
  private:
@@ -37,7 +37,7 @@ class Typist {
   Outcome press_file_name(const Keystroke& key);
 
   Mode mode_ = Mode::kLineStart;
-  std::string escape_;  ///< what follows the ~
+  std::string escape_;  ///< text after the ~
   bool is_explained_ = false;
 };
 

@@ -1,6 +1,16 @@
 // A screen of text: cells in rows and columns, each with one letter and a style. Text is cut at the
-// edges, and every character that may not be exactly one column wide is replaced, so that no
-// foreign text can move the terminal's cursor. Independent of the terminal.
+// edges, and every character that may not be exactly one column wide is replaced, so that no text
+// from outside can move the terminal's cursor. Independent of the terminal.
+//
+// The flow through the folder: a painter, such as the screen of `xr3 watch`
+// (tools/watch/screen.hpp), makes a TextScreen of the terminal's size and calls put() for each text
+// with its row, column, style and the columns that it may take. Names from the network are
+// arbitrary bytes: put() decodes UTF-8, drops what is outside the screen and ends a cut text with
+// an ellipsis; invalid bytes and letters without a width of one column become `?`. The caller shows
+// the finished screen cell by cell with ncurses (cli/commands/terminal.hpp), or prints text_of() as
+// plain rows when standard output is no terminal. in_letters() replaces box drawing and blocks by
+// ASCII for terminals that have nothing else. markup.hpp is independent of screens: it escapes text
+// for HTML and XML, for the reports of tools/report and the pictures of tools/drawing.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +20,7 @@
 
 namespace xr3 {
 
-/// The meaning of a letter; the terminal decides how it looks.
+/// The meaning of a letter; the terminal decides its appearance.
 enum class TextStyle : std::uint8_t {
   kPlain,
   kFaint,
@@ -29,7 +39,7 @@ struct TextCell {
   bool operator==(const TextCell&) const = default;
 };
 
-/// Rows and columns count from 0 at the upper left corner.
+/// A rectangle of cells. Rows and columns count from 0 at the upper left corner.
 struct TextArea {
   int row = 0;
   int column = 0;
@@ -37,7 +47,7 @@ struct TextArea {
   int columns = 0;
 };
 
-/// The permitted characters.
+/// The letters that the terminal can show.
 enum class Letters : std::uint8_t { kUnicode, kAscii };
 
 class TextScreen {
@@ -70,7 +80,7 @@ class TextScreen {
 /// The letters of a UTF-8 text. Letters that are not one column wide and invalid bytes become '?'.
 std::u32string one_column_letters(std::string_view text);
 
-/// The same letter, or for kAscii the most similar ASCII letter.
+/// The letter, or for kAscii the most similar ASCII letter.
 char32_t in_letters(char32_t letter, Letters letters);
 
 /// The rows in UTF-8, each with a line feed, without trailing blanks and without trailing blank

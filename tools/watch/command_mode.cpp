@@ -23,8 +23,8 @@ struct Function {
   std::string_view title;
   int alt;
   char letter;
-  std::string_view value;  ///< what to type; empty: the function takes no value
-  std::size_t numbers;     ///< in the value
+  std::string_view value;  ///< the values to type; empty if the function takes none
+  std::size_t numbers;     ///< numbers in the value
   std::int64_t min;
   std::int64_t max;
 };
@@ -43,7 +43,7 @@ constexpr std::array<Function, 8> kFunctions{{
 }};
 constexpr int kAltOfFunctionKeys = 6;
 
-/// The values typed for a function; empty if they are not values of it.
+/// The values typed for a function; empty if they are invalid for it.
 std::vector<std::int64_t> read_value(const Function& function, std::string text) {
   std::replace(text.begin(), text.end(), ',', ' ');
   std::istringstream words(text);

@@ -47,7 +47,7 @@ class CommandMode {
   bool is_menu_open_ = false;
   std::optional<std::size_t> asked_;  ///< index of the function whose value is being typed
   std::string typed_;
-  bool is_wrong_ = false;  ///< the last input was no value of the function
+  bool is_wrong_ = false;  ///< the last input was invalid for the function
 };
 
 /// The lines of the menu: key, name and value of each function.

@@ -117,7 +117,7 @@ std::string aligned(const std::string& text, const Column& column) {
   return std::string(width - letters, ' ') + text;
 }
 
-/// nullptr: the heading.
+/// Paints the row of an axis; the heading if that is nullptr.
 void paint_row(TextScreen& screen, int at, int from, const std::vector<Column>& columns,
                const Row* row) {
   const TextStyle style = row == nullptr ? TextStyle::kFaint : style_of(row->axis);

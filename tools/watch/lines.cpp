@@ -61,7 +61,7 @@ LineWidths natural_widths(const std::vector<LineCells>& rows) {
   return widths;
 }
 
-/// With two blanks between neighbours. A width of 0 is a column that is left out.
+/// The total width, with two blanks between neighbours. A width of 0 is a column that is left out.
 int total_of(const LineWidths& widths) {
   int total = -2;
   for (const int width : widths) total += width == 0 ? 0 : width + 2;
@@ -101,7 +101,7 @@ TextStyle style_of(const LineEntry& line) {
 
 }  // namespace
 
-// Rounded down, with the two largest units.
+// A duration rounded down, with the two largest units.
 std::string age_text(std::int64_t seconds) {
   constexpr std::int64_t kMinute = 60;
   constexpr std::int64_t kHour = 60 * kMinute;

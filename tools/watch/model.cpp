@@ -17,7 +17,7 @@ constexpr int kMaxStatesPerS = 20;
 constexpr int kMaxImagesPerS = 10;
 constexpr int kStepTicks = 10;
 
-/// All but the drawing.
+/// The members of `display` without the drawing.
 const std::vector<std::string> kDisplayFields{"on",           "view",          "erase",
                                               "period_ticks", "function_keys", "status"};
 
@@ -172,12 +172,12 @@ void WatchModel::handle_refusal(const Json& message) {
   known_.last_message = value_of<std::string>(error, "message", "the server refused a request");
   if (code == "token_required") known_.last_message += ": " + how_to_unlock();
   if (member(message, "id") != kAuthId) return;
-  wish_.token.clear();  // wrong tokens end the connection in the long run
+  wish_.token.clear();  // not sent again: repeated wrong tokens end the connection
   known_.last_message = "the server refuses this token: " + how_to_unlock();
   if (known_.is_locked) is_complete_ = true;
 }
 
-/// Names no key where there is none.
+/// The advice to unlock. Names no key where there is none.
 std::string WatchModel::how_to_unlock() const {
   return wish_.interest == Interest::kOnce ? "see --token-file and XR3_TOKEN"
                                            : "press t, or use --token-file FILE or XR3_TOKEN";

@@ -1,6 +1,17 @@
-// The client side of the monitor protocol for `xr3 watch`: which requests to send, and the data
-// after each message. Messages in, values out; independent of sockets and the screen. It does not
-// trust the server: missing members keep their defaults.
+// The client side of the monitor protocol for `xr3 watch`: the requests to send, and the data after
+// each message. Messages in, values out; independent of sockets and the screen. Messages are not
+// trusted: missing members keep their defaults.
+//
+// The flow through the folder: the connection (cli/commands/watch_connection.hpp) sends opening()
+// and passes each line of the server to handle(), which returns the lines to send next: after
+// `hello` the access token and the subscriptions to state, image, display, model and event.
+// Messages are read by read.hpp into the values of watched_cell.hpp. After each read the caller
+// paints watch_screen() (screen.hpp), which divides the terminal among the panels: joints.cpp,
+// lines.cpp, and those of panels.cpp. A key becomes an Action, a function of command mode
+// (command_mode.hpp) or a character of the token (token_prompt.hpp), and ask() makes the request
+// for it. ask_time() and ask_lines() poll values that the server does not publish. With --once the
+// model requests everything once and is_complete() ends it. top_view.hpp draws a workcell from
+// above, also for the workcell editor and reports.
 #pragma once
 
 #include <optional>
@@ -46,13 +57,13 @@ class WatchModel {
   /// feed.
   std::vector<std::string> handle(std::string_view line);
 
-  /// The request for this action, with its line feed. Without permission for calls: nullopt, and a
-  /// message in `known().last_message`.
+  /// The request for this action, with its line feed. nullopt without permission for calls;
+  /// `known().last_message` then has a message.
   std::optional<std::string> ask(Action action);
-  /// The same for a function of command mode.
+  /// The request for a function of command mode, under the conditions of an action.
   std::optional<std::string> ask(const FunctionCall& call);
 
-  /// The request for the time, which goes on while nothing is published. nullopt before the first
+  /// The request for the time, which advances while nothing is published. nullopt before the first
   /// state.
   std::optional<std::string> ask_time() const;
   /// The request for the serial lines. nullopt without permission for calls, or while the last one
@@ -63,9 +74,9 @@ class WatchModel {
   std::string unlock(std::string token);
 
   const Known& known() const { return known_; }
-  /// For Interest::kOnce: all data has been received.
+  /// Whether, for Interest::kOnce, all data has been received.
   bool is_complete() const { return is_complete_; }
-  /// The server has sent `bye`.
+  /// Whether the server has sent `bye`.
   bool has_left() const { return has_left_; }
 
  private:

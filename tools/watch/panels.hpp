@@ -1,5 +1,5 @@
-// The panels of the `xr3 watch` screen. Each is painted into a given area; what does not fit is
-// left out, the least important parts first. Independent of each other and of the terminal.
+// The panels of the `xr3 watch` screen. Each is painted into a given area; content that does not
+// fit is left out, the least important parts first. Independent of each other and of the terminal.
 #pragma once
 
 #include <string>
@@ -13,31 +13,32 @@ namespace xr3::watch {
 /// Minimum length of a useful bar.
 inline constexpr int kMinBarLength = 10;
 
-/// A heading, the joints, then the tool as the last row. The heading is left out if room is short.
+/// Paints a heading, the joints, then the tool as the last row. The heading is left out if room is
+/// short.
 void paint_joints(TextScreen& screen, const TextArea& area, const Known& known,
                   const WatchedState& state);
 
-/// One row: opening, tip and the held block.
+/// Paints one row: opening, tip and the held block.
 void paint_tool(TextScreen& screen, const TextArea& area, const WatchedState& state);
 
-/// A rule, the blocks, and the digital lines in the last row.
+/// Paints a rule, the blocks, and the digital lines in the last row.
 void paint_blocks_and_lines(TextScreen& screen, const TextArea& area, const WatchedState& state);
 
-/// A rule, then the latest notes, the newest at the bottom.
+/// Paints a rule, then the latest notes, the newest at the bottom.
 void paint_notes(TextScreen& screen, const TextArea& area, const Known& known);
 
-/// A heading and a row for each line. Columns that do not fit are left out, as are rows: the last
-/// one then shows their number.
+/// Paints a heading and a row for each line. Columns that do not fit are left out, as are rows: the
+/// last one then shows their number.
 void paint_serial_lines(TextScreen& screen, const TextArea& area, const Known& known,
                         const std::vector<LineEntry>& lines);
 
 /// A duration, such as "3 min 20 s".
 std::string age_text(std::int64_t seconds);
 
-/// A rule, then the image in half blocks, two pixels per cell, shrunk to fit.
+/// Paints a rule, then the image in half blocks, two pixels per cell, shrunk to fit.
 void paint_image(TextScreen& screen, const TextArea& area, const WatchedImage& image);
 
-/// A line across the area's first row that contains a name.
+/// Paints a line across the area's first row that contains a name.
 void paint_rule(TextScreen& screen, const TextArea& area, const std::string& name);
 
 /// A tick in simulated seconds, such as "12.345 s".

@@ -75,7 +75,8 @@ std::vector<bool> read_text_row(const Json& row, std::size_t width) {
   return pixels;
 }
 
-/// The same for a row of run lengths, which starts with a run of zeros.
+/// The pixels of a row of run lengths, which starts with a run of zeros; empty if it does not have
+/// `width` pixels.
 std::vector<bool> read_run_row(const Json& row, std::size_t width) {
   std::vector<bool> pixels;
   bool is_set = false;

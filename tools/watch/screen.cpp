@@ -57,7 +57,7 @@ std::string mode_text(const Known& known) {
   return "";
 }
 
-/// With epoch and tick if they fit beside `left`.
+/// The text of the clock, with epoch and tick if they fit beside `left`.
 std::string clock_text(const Known& known, int columns, const std::string& left) {
   const std::string mode = mode_text(known);
   const std::string time = "   " + seconds_text(known.tick, known.tick_hz);
@@ -86,7 +86,7 @@ std::string keys_text(const Known& known) {
   return keys;
 }
 
-/// The prompt; without one the keys, or instead of them the server's last message.
+/// Paints the prompt; without one the keys, or instead of them the server's last message.
 void paint_footer(TextScreen& screen, const Known& known, Page page, const std::string& prompt) {
   if (!prompt.empty()) return paint_ends(screen, screen.rows() - 1, prompt, "", TextStyle::kTitle);
   const bool is_printed = page == Page::kPrint || page == Page::kPrintLines;
@@ -102,7 +102,7 @@ std::string stall_text(const std::string& stall) {
   return stall;
 }
 
-/// Who gets the commands while the simulator is disabled.
+/// The destination of commands while the simulator is disabled.
 std::string disabled_text(const std::optional<Device>& device) {
   if (!device || !device->is_engaged) return "disabled: only A@ is executed";
   if (device->is_there) return "disabled: commands go to device " + device->path;
@@ -157,7 +157,7 @@ int useful_image_rows(const WatchedImage& image, int columns) {
   return static_cast<int>(shrunk_size(image, room, image.height).height + 1) / 2 + 1;
 }
 
-/// `image_rows`: the rows of the middle that the image can use.
+/// The heights of the parts. `image_rows`: the rows of the middle that the image can use.
 Heights heights_for(const WatchedState& state, int rows, int image_rows) {
   Heights heights;
   const int table = static_cast<int>(state.joints.size()) + 2;
@@ -187,7 +187,7 @@ void paint_middle(TextScreen& screen, TextArea area, const Known& known,
   paint_blocks_and_lines(screen, area, state);
 }
 
-/// Joints and tool. Returns the area below them, of the middle.
+/// Paints joints and tool. Returns the area below them, of the middle.
 TextArea paint_upper(TextScreen& screen, TextArea area, const Known& known,
                      const WatchedState& state, const Heights& heights) {
   paint_joints(screen, {area.row, area.column, heights.joints, area.columns}, known, state);
@@ -200,7 +200,7 @@ TextArea paint_upper(TextScreen& screen, TextArea area, const Known& known,
   return area;
 }
 
-/// The wide layout, without title, banner and footer: the camera beside all tables.
+/// Paints the wide layout, without title, banner and footer: the camera beside all tables.
 void paint_wide(TextScreen& screen, TextArea area, const Known& known, const WatchedState& state,
                 const WatchedImage& image) {
   const int most_columns = area.columns - kWideLeft - 2;
@@ -227,7 +227,7 @@ void paint_narrow(TextScreen& screen, const TextArea& area, const Known& known,
   }
 }
 
-/// Returns the area between the banner, if there is one, and the footer.
+/// Paints the banner, if there is one. Returns the area between it and the footer.
 TextArea paint_banner(TextScreen& screen, const WatchedState& state, const Link& link) {
   TextArea area{1, 1, std::max(0, screen.rows() - 2), std::max(0, screen.columns() - 2)};
   const std::string banner = banner_text(state, link);

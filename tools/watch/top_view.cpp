@@ -107,7 +107,7 @@ void draw_camera(Grid& picture, const Camera& camera) {
   }
 }
 
-/// Every character whose centre lies in the block, and the one at the block's centre.
+/// Draws every character whose centre lies in the block, and the one at the block's centre.
 void draw_block(Grid& picture, const Block& block, char letter) {
   const double x = mm(block.centroid_um.x);
   const double y = mm(block.centroid_um.y);
@@ -131,7 +131,7 @@ void draw_block(Grid& picture, const Block& block, char letter) {
   picture.put(picture.row_of(x), picture.column_of(y), letter);
 }
 
-/// In order of their tops, so that the upper of stacked blocks is visible.
+/// Draws the blocks in the order of their tops, so that the upper of stacked blocks is visible.
 void draw_blocks(Grid& picture, const std::vector<Block>& blocks) {
   std::vector<std::size_t> order(blocks.size());
   std::iota(order.begin(), order.end(), std::size_t{0});

@@ -13,8 +13,8 @@ namespace xr3 {
 /// Whether the robot reaches a point of the work surface; x and y in mm. Empty if not known.
 using ReachAbove = std::function<bool(double x_mm, double y_mm)>;
 
-/// Lines that end with line feeds: a picture of at most 80 columns and 24 lines, and a legend with
-/// the blocks' letters. Reachable points are dots; colons are the edge of the camera's field.
+/// The picture as lines that end with line feeds: at most 80 columns and 24 lines, and a legend
+/// with the blocks' letters. Reachable points are dots; colons are the edge of the camera's field.
 std::string top_view(const Workcell& workcell, const ReachAbove& reaches);
 
 /// The letter, or digit, of each block in the view: the first of its name; the last one that is

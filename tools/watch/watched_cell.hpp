@@ -26,21 +26,21 @@ struct Axis {
   double value = 0;
   std::string unit;        ///< "deg" or "mm"
   std::int64_t speed = 0;  ///< counts per second
-  bool is_closed = false;  ///< its microswitch
+  bool is_closed = false;  ///< whether the microswitch is closed
   bool is_moving = false;
-  std::string blocked;  ///< "limit", "block"; empty: not blocked
+  std::string blocked;  ///< "limit", "block"; empty if not blocked
 };
 
 struct WatchedTool {
   Axis axis;
   double opening_mm = 0;
-  std::array<double, 3> xyz_mm{};  ///< of the tip
-  std::string holding;             ///< name of a block; empty: none
+  std::array<double, 3> xyz_mm{};  ///< the tip
+  std::string holding;             ///< name of the held block; empty if there is none
 };
 
 struct WatchedBlock {
   std::string name;
-  std::array<double, 3> xyz_mm{};  ///< of its centroid
+  std::array<double, 3> xyz_mm{};  ///< the centroid
   double yaw_deg = 0;
   bool is_held = false;
 };
@@ -49,7 +49,7 @@ struct WatchedBlock {
 struct Device {
   std::string path;
   bool is_there = false;
-  bool is_engaged = false;  ///< commands of the lines go to it
+  bool is_engaged = false;  ///< whether commands of the lines go to the controller
 };
 
 /// The channel `state`.
@@ -60,21 +60,22 @@ struct WatchedState {
   std::vector<bool> inputs;  ///< index i is line i+1; the same for outputs and aux
   std::vector<bool> outputs;
   std::vector<bool> aux;
-  std::string stalled;  ///< "protected_region", "work_surface"; empty: not stalled
+  std::string stalled;  ///< "protected_region", "work_surface"; empty if not stalled
   bool is_enabled = true;
-  std::optional<Device> device;  ///< none: the server has no --serial
+  std::optional<Device> device;  ///< nullopt if the server has no --serial
 };
 
 /// A serial line, or the physical controller, in the result of the call `lines`.
 struct LineEntry {
-  std::optional<std::int64_t> number;  ///< none: the physical controller
+  std::optional<std::int64_t> number;  ///< nullopt if it is the physical controller
   std::string kind;
-  std::string peer;                    ///< or the path of a device
-  std::optional<std::int64_t> opened;  ///< its tick; none: the physical controller is not there
+  std::string peer;  ///< the client's address, or the path of a device
+  /// Tick of the opening; nullopt if the physical controller is not there.
+  std::optional<std::int64_t> opened;
   std::int64_t bytes_in = 0;
   std::int64_t bytes_out = 0;
-  std::string settings;  ///< of the serial port; empty: not known
-  std::string last;      ///< the last command, or for whom the line waits
+  std::string settings;  ///< settings of the serial port; empty if not known
+  std::string last;      ///< the last command, or the line that this one waits for
 };
 
 /// The channel `display`: the settings of command mode, and the status line.
@@ -85,7 +86,7 @@ struct Display {
   std::int64_t period_ticks = 0;
   bool has_function_keys = true;
   std::int64_t status_option = 0;
-  std::string status_text;  ///< empty: blank
+  std::string status_text;  ///< the text; may be empty
 };
 
 /// The channel `image`, row by row.
@@ -108,19 +109,19 @@ struct Note {
   std::int64_t tick = 0;
   std::string kind;  ///< "warning", "stalled", "homed"...
   std::string message;
-  std::optional<std::int64_t> line;  ///< the serial line concerned
+  std::optional<std::int64_t> line;  ///< number of the serial line concerned
   std::int64_t times = 1;
 };
 
 enum class WatchedClockMode : std::uint8_t { kReal, kManual, kBytes };
 
-/// Everything received. `cell` is empty before the `hello` message, `state` before the first state.
+/// All data received. `cell` is empty before the `hello` message, `state` before the first state.
 struct Known {
   std::string server;  ///< name and version
   std::string cell;
   std::string robot;
-  bool has_control = false;  ///< the server accepts our calls
-  bool is_locked = false;    ///< the server shows nothing without the token
+  bool has_control = false;  ///< whether the server accepts this client's calls
+  bool is_locked = false;    ///< whether the server shows nothing without the token
   std::int64_t epoch = 0;
   std::int64_t tick = 0;
   std::int64_t tick_hz = 1000;
@@ -129,9 +130,11 @@ struct Known {
   std::map<std::string, Limits> limits;  ///< by label; empty before the model arrives
   std::optional<WatchedState> state;
   std::optional<Display> display;
-  std::optional<WatchedImage> image;   ///< none: no camera, or no image received yet
+  /// Nullopt if there is no camera, or no image was received yet.
+  std::optional<WatchedImage> image;
   std::map<std::int64_t, Note> notes;  ///< the latest ones, by seq
-  /// The physical controller first, if there is one. None before the first answer of `lines`.
+  /// The lines, the physical controller first if there is one. nullopt before the first answer of
+  /// `lines`.
   std::optional<std::vector<LineEntry>> lines;
   /// The server's last message for the user: an error or the text of `bye`.
   std::string last_message;

@@ -66,7 +66,7 @@ WorkcellDialogue::Step WorkcellDialogue::yaw_step() {
   };
 }
 
-/// The default height is on the table or on the blocks below.
+/// Asks for the height; the default is on the table or on the blocks below.
 WorkcellDialogue::Step WorkcellDialogue::height_step() {
   return [this] {
     block_.centroid_um.z = dialogue::resting_z(workcell_, block_index_, block_);
@@ -116,7 +116,8 @@ void WorkcellDialogue::remove() {
              });
 }
 
-/// After errors the items are asked again; a block with mere warnings may be kept.
+/// Checks the block. After errors the items are asked again; a block with mere warnings may be
+/// kept.
 void WorkcellDialogue::judge_block() {
   Workcell candidate = workcell_;
   std::vector<Block>& blocks = candidate.blocks.edit();

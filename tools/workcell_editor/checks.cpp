@@ -86,7 +86,7 @@ std::string free_name(const Workcell& workcell) {
   }
 }
 
-/// Twice as long as wide, and half as wide as the maximum opening.
+/// The size of a proposed block: twice as long as wide, and half as wide as the maximum opening.
 PointUm proposed_size(const Robot& robot) {
   constexpr double kEvenMm = 2;
   const double width = std::max(std::floor(widest_opening_mm(robot) / 4) * kEvenMm, kEvenMm);

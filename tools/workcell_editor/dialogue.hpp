@@ -1,7 +1,16 @@
 // The workcell editor, `xr3 workcell`, as a dialogue without I/O: it takes a line and returns the
 // text to show next. It is the successor of the paper's WORKCELL program (Section III-B). It asks
-// for each item with a default and a range, and reports problems on the way. It asks its caller to
-// write the file, and only with a text that loads.
+// for each item with a default and a range, and reports problems on the way.
+//
+// The flow through the folder: the caller (cli/commands/workcell.cpp) loads the robot and perhaps a
+// workcell, prints the text of begin() and passes each line of input to handle(). A line is either
+// a command of the menu (dialogue.cpp) or the answer to the current question. Questions are values
+// of items.hpp, with prompt, default, help and a function that stores the answer; blocks.cpp and
+// room.cpp queue them for a block, the workspace, the work surface or the camera. Answers go to a
+// draft. When the last one is given, checks.hpp runs the rules of workcell files on the draft, and
+// the robot's reach and jaws; it also proposes defaults. A draft without errors replaces the
+// workcell. To save, a turn contains `file_text`, only if that text loads; the caller writes the
+// file and returns the outcome to written().
 #pragma once
 
 #include <cstdint>
@@ -22,8 +31,8 @@ namespace xr3 {
 
 struct DialogueStart {
   std::string file;                  ///< the file to write; used in messages only
-  std::optional<Workcell> workcell;  ///< to edit; nullopt: make a new one, item by item
-  std::string from;                  ///< the file that `workcell` was read from
+  std::optional<Workcell> workcell;  ///< workcell to edit; nullopt to make a new one, item by item
+  std::string from;                  ///< file of `workcell`
   Robot robot;                       ///< the robot to check against
 };
 
@@ -47,10 +56,11 @@ class WorkcellDialogue {
   DialogueTurn begin();
   /// Handles a line without its line end.
   DialogueTurn handle(std::string_view line);
-  /// Call it after a turn with `file_text`. `why` is used for kFailed only.
+  /// Reports the result of writing. Call after a turn with `file_text`. `why` is used for kFailed
+  /// only.
   DialogueTurn written(WriteOutcome outcome, const std::string& why = "");
-  /// Call it if the input has ended or was interrupted. Returns the closing text; nothing is
-  /// written.
+  /// Ends the dialogue. Call if the input has ended or was interrupted. Returns the closing text;
+  /// nothing is written.
   DialogueTurn leave(std::string_view why);
 
   /// Whether there are unsaved changes.
@@ -97,7 +107,7 @@ class WorkcellDialogue {
   void ask_all();
   void offer_block();
 
-  // Everything except blocks; the answers go to draft_ first.
+  // Edits everything except blocks; the answers go to draft_ first.
   void edit_room(Steps steps, std::function<void()> then = {});
   void ask_room();
   void keep_room();

@@ -35,18 +35,18 @@ inline constexpr Lengths kAnySize{1, 100'000'000};
 /// Returns the reason why a value cannot be used; empty if it can.
 using NameCheck = std::function<std::string(const std::string&)>;
 
-// All these questions store the answer in `value`, which must outlive the question. Its current
-// value is the default.
+// Questions that store the answer in `value`, which must outlive the question. Its current value is
+// the default.
 
-/// `sensible` is the range shown, `possible` the range accepted. The checks of the complete block
-/// or camera report values between the two.
+/// Asks for a length. `sensible` is the range shown, `possible` the range accepted. The checks of
+/// the complete block or camera report values between the two.
 Question length_question(const std::string& prompt, Lengths sensible, Lengths possible,
                          Micrometres& value, const std::string& help);
 Question yaw_question(const std::string& prompt, Microdegrees& value, const std::string& help);
 Question whole_question(const std::string& prompt, int min, int max, int& value,
                         const std::string& help);
-/// `least` and `most`: length in bytes. `least` is 0 or 1; if it is 0, the answer "-" is the empty
-/// text.
+/// Asks for a text. `least` and `most`: length in bytes. `least` is 0 or 1; if it is 0, the answer
+/// "-" is the empty text.
 Question text_question(const std::string& prompt, std::size_t least, std::size_t most,
                        std::string& value, const std::string& help, const NameCheck& check);
 Question yes_no_question(const std::string& prompt, bool& value, const std::string& help);
@@ -56,10 +56,10 @@ Question projection_question(const std::string& prompt, Projection& value, const
 std::vector<std::string> words_like(const std::string& start,
                                     const std::vector<std::string>& words);
 
-/// Without leading and trailing whitespace.
+/// The text without leading and trailing whitespace.
 std::string_view trimmed(std::string_view text);
 
-/// In millimetres, without superfluous digits.
+/// The length in millimetres, without superfluous digits.
 std::string mm_text(Micrometres um);
 
 }  // namespace xr3::dialogue
