@@ -67,8 +67,8 @@ ExitCode run(int argc, const char* const* argv) {
   }
 }
 
-// If standard input, output or error is closed, a socket would get its number, and receive what is
-// meant for people. /dev/null takes the place.
+// Opens /dev/null for a closed standard input, output or error. A socket would otherwise get its
+// number, and receive text that is printed for the user.
 void open_standard_streams() {
   for (int file = STDIN_FILENO; file <= STDERR_FILENO; ++file) {
     if (::fcntl(file, F_GETFD) == 0) continue;
@@ -76,7 +76,7 @@ void open_standard_streams() {
   }
 }
 
-// Output that was lost, as on a full disk, must not look like success.
+// The exit code of a failure if output was lost, as on a full disk; else `code`.
 ExitCode flushed(ExitCode code) {
   std::cout.flush();
   if (std::cout || code != ExitCode::kGood) return code;

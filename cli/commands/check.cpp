@@ -22,8 +22,8 @@ std::optional<Robot> robot_for(const CheckOptions& options, const std::string& f
   return load_robot_of_either_form(data.text, data.path);
 }
 
-/// A warning if a robot at rest meets all goals without a program. Empty: one is missed, or the
-/// goals name blocks or joints that the robot does not have.
+/// A warning if a robot at rest meets all goals without a program. Empty if a goal is missed, or
+/// the goals name blocks or joints that the robot does not have.
 Findings passive_warning(const CheckOptions& options, const DataFile& data) {
   const std::string robot = options.robot.empty() ? ServeOptions{}.robot : options.robot;
   const ModelPtr model = load_model({robot, "", options.profile});

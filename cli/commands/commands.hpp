@@ -1,6 +1,17 @@
-// The commands of xr3 apart from `serve`. Each carries out the options of its command line, and
+// The commands of xr3 apart from `serve`. Each executes the options of its command line, and
 // returns the exit code. All throw FileError or DataError if a file cannot be read, used or
 // written.
+//
+// The flow through the folder: main.cpp passes the variant of parse_options()
+// (cli/options/options.hpp) to the run_command() of its type; each command has a source of its own.
+// Commands on files read them with server/files/data_files.hpp, load them with protocol/files and
+// print with server/print.hpp: check, convert, draw, kin and workcell, whose text comes from tools.
+// replay repeats a recording on a fresh cell, and can then serve from its end with App. exec, grade
+// and exercise run programs through cli/exec. watch connects to a monitor port
+// (watch_connection.hpp), keeps a model of the cell (tools/watch/model.hpp) and shows it with
+// ncurses (terminal.hpp); term is in cli/term; healthcheck makes one short connection. manual
+// prints cli/manual. Errors of a command end it by an exception, which main.cpp prints as one
+// sentence, or by fail() (fail.hpp).
 #pragma once
 
 #include "cli/options/options.hpp"
@@ -38,8 +49,8 @@ ExitCode run_command(const WorkcellOptions& options);
 ExitCode run_command(const WatchOptions& options);
 
 /// `xr3 term`: runs until the user quits, or, if standard input or output is no terminal, until
-/// standard input has ended and is answered. kNoServer if the peer is lost, or leaves an inquiry of
-/// a script unanswered, with a sentence. Throws ExitError if the line cannot be opened.
+/// standard input has ended and is answered. kNoServer, with a sentence, if the peer is lost, or
+/// leaves an inquiry of a script unanswered. Throws ExitError if the line cannot be opened.
 ExitCode run_command(const TermOptions& options);
 
 /// `xr3 healthcheck`: checks whether a server answers on this machine, for up to `wait_s`.
@@ -56,11 +67,11 @@ ExitCode run_command(const ReplayCommand& command);
 ExitCode run_command(const ExecCommand& command);
 
 /// `xr3 grade`: runs every submission of a class, and writes a report with a page. kGood when every
-/// submission was run, whatever it scored. Throws std::system_error.
+/// submission was run, whatever its points. Throws std::system_error.
 ExitCode run_command(const GradeCommand& command);
 
 /// `xr3 exercise check`: proves an exercise, with a line for each of its programs. kBadInput if one
-/// does not come to what it must. Throws std::system_error.
+/// does not get its expected verdict. Throws std::system_error.
 ExitCode run_command(const ExerciseOptions& options);
 
 /// `xr3 manual --write FOLDER`: writes the files, over those of the same names, and prints their

@@ -68,7 +68,7 @@ std::size_t count_passed(const std::vector<RunReport>& reports) {
   return static_cast<std::size_t>(std::ranges::count_if(reports, &RunReport::is_passed));
 }
 
-/// Of several runs, those that failed are shown in full.
+/// Prints the reports; of several runs only those that failed in full.
 void print(const std::vector<RunReport>& reports) {
   if (reports.size() == 1) {
     return print_text(to_text(reports.front()));

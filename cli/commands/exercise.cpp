@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A program, how it is started, and the end that proves something.
+/// A program, its start command, and the verdict that it must get.
 struct Trial {
   std::string title;
   std::vector<std::string> command;
@@ -73,7 +73,7 @@ class Trials {
     return printable_line(program.lexically_relative(folder_.path()).string());
   }
 
-  /// Each has a name of its own for what a compiler makes.
+  /// The command of a program, with a file of its own for a compiler's output.
   std::vector<std::string> command(const fs::path& program) {
     return start_command(fs::absolute(program), scratch_.file(std::to_string(++programs_).c_str()),
                          exercises_folder());
@@ -102,7 +102,7 @@ std::string indented(const std::string& lines) {
   return text;
 }
 
-/// The outcome of a trial; of a wrong program also its report, which a teacher wants to see.
+/// Prints the outcome of a trial; of a wrong program also its report, for the teacher.
 void print(const Trial& trial, const RunReport& report, const std::string& trouble) {
   std::string text = (trouble.empty() ? "✓ " : "✗ ") + trial.title;
   if (!trouble.empty()) text += ": " + trouble;

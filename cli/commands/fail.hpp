@@ -1,4 +1,4 @@
-// The ends of commands that cannot do what they should.
+// The ends of commands that fail.
 #pragma once
 
 #include <csignal>
@@ -16,7 +16,8 @@ inline ExitCode fail(ExitCode code, const std::string& message) {
   return code;
 }
 
-/// A broken connection, or a file that reaches its limit, is an error of the call, not the end.
+/// Ignores signals of writing: a broken connection, or a file that reaches its limit, is then an
+/// error of the call instead of the end of the process.
 inline void ignore_signals_of_writing() {
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);

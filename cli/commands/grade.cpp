@@ -26,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The files of the report stand beside the folders of the submissions.
+/// The page of the report, beside the folders of the submissions.
 constexpr const char* kPage = "index.html";
 constexpr const char* kTable = "grades.csv";
 constexpr const char* kJunit = "junit.xml";
@@ -96,7 +96,7 @@ void make_report_folder(const std::string& path, bool may_exist) {
   if (error) throw FileError(path + ": cannot be made: " + error.message());
 }
 
-/// The result of an earlier run in its folder; nullopt: there is no such folder.
+/// The result of an earlier run in its folder; nullopt if there is no such folder.
 std::optional<RunReport> result_in(const std::string& folder) {
   std::error_code error;
   if (!fs::exists(folder, error)) return std::nullopt;
@@ -148,7 +148,8 @@ class Grading {
     std::vector<RunReport> reports;
     for (std::size_t i = 0; i < reports_.size(); ++i) {
       reports.push_back(std::move(*reports_[i]));
-      reports.back().program = name_of(i);  // its bytes, which lead to its files
+      // The bytes of the name, which lead to the submission's files.
+      reports.back().program = name_of(i);
     }
     write_file(file(kPage), to_html(reports));
     write_file(file(kTable), to_csv(reports));
@@ -168,7 +169,8 @@ class Grading {
   /// The folder of a run until it is complete. No submission has such a name.
   std::string draft_of(std::size_t index) const { return file("." + name_of(index)); }
 
-  /// SIGINT and SIGTERM end the runs that are under way; the report has the others.
+  /// Runs the submissions without a result. SIGINT and SIGTERM end the runs in progress; the report
+  /// has the others.
   void run_missing() {
     StopSignals stop;
     const std::size_t jobs = options_.jobs > 0 ? options_.jobs : usual_jobs();
@@ -193,7 +195,7 @@ class Grading {
 
   RunReport run(std::size_t index) const {
     const fs::path& its = submissions_[index];
-    fs::remove_all(draft_of(index));  // of a judge that was killed
+    fs::remove_all(draft_of(index));  // a draft remains if a judge was killed
     return exercise_.run({name_of(index), command_for(its, exec_.command), its, draft_of(index), "",
                           0, why_refused(its), index});
   }
@@ -209,8 +211,8 @@ class Grading {
   const ExecOptions& exec_;
   std::vector<fs::path> submissions_;
   Exercise exercise_;
-  std::vector<std::optional<RunReport>> reports_;  ///< of the submissions
-  std::vector<std::size_t> missing_;               ///< the indices of those that are run
+  std::vector<std::optional<RunReport>> reports_;  ///< one for each submission
+  std::vector<std::size_t> missing_;               ///< indices of the submissions that are run
   bool has_all_ = true;
 };
 

@@ -34,7 +34,7 @@ struct Visit {
   std::string readiness;  ///< the response of /readyz
 };
 
-/// Whether the monitor port has answered as it should, so that /readyz decides.
+/// Whether the monitor port has answered as required, so that /readyz decides.
 bool has_answered(const HealthProbe& probe) {
   return probe.health() == Health::kHealthy || probe.health() == Health::kFull;
 }
@@ -114,7 +114,8 @@ struct Outcome {
   ExitCode code = ExitCode::kNoServer;
 };
 
-/// A missing port file may still be written by its server; one without a port is invalid.
+/// Makes one attempt. A missing port file may still be written by its server; one without a port is
+/// invalid.
 Outcome try_once(const HealthOptions& options, Clock::time_point deadline) {
   const auto address = asio::ip::make_address(address_to_ask(options.listen));
   try {

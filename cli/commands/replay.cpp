@@ -84,7 +84,7 @@ class ReplayRun {
 
   const recording::Header& header() const { return header_; }
 
-  /// Returns whether all was as recorded; if not, prints the first difference.
+  /// Returns whether all inputs had the recorded results; if not, prints the first difference.
   bool repeat(Cell& cell) {
     const bool compares = header_.state_format == kStateFormat;
     if (!compares)
@@ -127,7 +127,7 @@ class ReplayRun {
                       std::to_string(options_.every_ms) + " ms) it has fewer");
     table.add(cell, cell.state().tick);
   }
-  /// The time to stop must be one that the cell had.
+  /// Requires the time to stop to be one that the cell had.
   void require_stop(const Cell& cell) const {
     if (!options_.until) return;
     if (cell.epoch() == options_.until->epoch && cell.state().tick == options_.until->tick) return;

@@ -15,11 +15,11 @@
 
 #include "protocol/text/whole_number.hpp"
 
-#define NCURSES_NOMACROS 1  // its macros have names such as `move`
+#define NCURSES_NOMACROS 1  // macros of ncurses have names such as `move`
 #define NCURSES_WIDECHAR 1
 #include <curses.h>
 #include <term.h>
-#undef columns  // (macros of term.h)
+#undef columns  // a macro of term.h
 #undef lines
 
 namespace xr3 {
@@ -28,7 +28,7 @@ namespace {
 constexpr int kEscapeDelayMs = 25;
 
 struct CursesStyle {
-  short color;  ///< -1: the terminal's default
+  short color;  ///< -1 for the terminal's default
   attr_t attributes;
 };
 
@@ -76,7 +76,7 @@ int environment_size(const char* name, int otherwise) {
   return text == nullptr ? otherwise : whole_number(text, 1, kMax).value_or(otherwise);
 }
 
-/// Terminfo numbers F1...F12 with Alt from 49 on.
+/// The key of a code. Terminfo numbers F1...F12 with Alt from 49 on.
 watch::ModeKey key_of(int code) {
   constexpr int kLastByte = 0xFF;  // above, the codes of ncurses begin
   constexpr int kFunctionKeys = 12;

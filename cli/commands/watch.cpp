@@ -40,7 +40,7 @@ Letters letters_of(const WatchOptions& options, Letters otherwise) {
   return options.is_ascii ? Letters::kAscii : otherwise;
 }
 
-/// NO_COLOR: https://no-color.org
+/// The colours; none if NO_COLOR is set: https://no-color.org
 Colors colors_of(const WatchOptions& options) {
   const char* wish = std::getenv("NO_COLOR");
   const bool is_unwanted = options.is_plain || (wish != nullptr && *wish != '\0');
@@ -197,7 +197,7 @@ class Watcher {
   WatchConnection connection_;
   asio::steady_timer before_next_try_;
   asio::steady_timer refresh_;
-  // Before the terminal: ncurses does not replace signal handlers that exist already.
+  // created before the terminal: ncurses does not replace existing signal handlers
   asio::signal_set signals_;
   asio::signal_set resizes_;
   asio::posix::stream_descriptor keyboard_;

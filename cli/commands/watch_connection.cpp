@@ -10,7 +10,7 @@ namespace xr3 {
 namespace {
 
 constexpr std::chrono::seconds kMaxWait{5};
-/// Enough for an image of the maximum size.
+/// Maximum size of a line, enough for an image of the maximum size.
 constexpr std::size_t kMaxLineBytes = std::size_t{32} << 20U;
 
 }  // namespace
@@ -116,7 +116,8 @@ void WatchConnection::close_late() {
   close();
 }
 
-// A server sends nothing while nothing happens, so only a ping shows whether it is still there.
+// Sends a ping. A server sends nothing while nothing happens, so only a ping shows whether it still
+// runs.
 void WatchConnection::ask_for_life() {
   has_heard_ = false;
   send(model_.ping());

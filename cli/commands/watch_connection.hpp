@@ -43,7 +43,7 @@ class WatchConnection {
   tcp::socket connecting_;
   asio::steady_timer deadline_;  ///< for `hello`, then for the answer to each ping
   bool is_late_ = false;
-  bool has_heard_ = false;                 ///< data received since the last ping
+  bool has_heard_ = false;                 ///< whether data was received since the last ping
   std::shared_ptr<MonitorSocket> socket_;  ///< nullptr without a connection
   std::string line_;                       ///< the incomplete next message
   std::string unsent_;

@@ -96,7 +96,7 @@ std::string KeyboardInput::take(std::size_t length, std::size_t line_end) {
   return line;
 }
 
-/// Text after the last line end of a pipe is a line, too.
+/// The next line. Text after the last line end of a pipe is a line, too.
 std::optional<std::string> KeyboardInput::line() {
   while (end_ == End::kNone) {
     const std::size_t end = text_.find('\n');
@@ -108,7 +108,7 @@ std::optional<std::string> KeyboardInput::line() {
   return take(text_.size(), 0);
 }
 
-/// The error for an unusable file: its findings, or that it is of the other kind.
+/// The error for an unusable file: its findings, or that it is of another kind.
 DataError unusable(const CheckResult& data, const std::string& file, const std::string& wanted) {
   if (!data.is_good()) return DataError(data.findings);
   return DataError({{Severity::kError, file, 1, 0, "", "a file of the other kind", wanted}});
@@ -131,7 +131,7 @@ Workcell workcell_in(const DataFile& data) {
   return *std::move(result.workcell);
 }
 
-/// Checked at the start, so that no work is lost when saving.
+/// Checks the target at the start, so that no work is lost when saving.
 void check_target(const std::filesystem::path& file) {
   if (file.extension() != ".json") {
     throw FileError(file.string() + ": a workcell is written as JSON; its name must end in .json");
@@ -143,7 +143,8 @@ void check_target(const std::filesystem::path& file) {
   }
 }
 
-/// Starts from --from, else from the file itself if it exists, else from nothing.
+/// The start of the dialogue: from --from, else from the file itself if it exists, else from
+/// nothing.
 DialogueStart start_of(const WorkcellOptions& options) {
   check_target(options.file);
   DialogueStart start{options.file, std::nullopt, "", robot_for(options)};

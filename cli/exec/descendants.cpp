@@ -43,9 +43,9 @@ std::vector<::pid_t> scanned_children_of(::pid_t parent) {
   return found;
 }
 
-/// The children of a process, as a rule with those that have ended: they may have started another
-/// one that is not in the list yet. The kernel's lists, one for each thread, are much quicker than
-/// looking through all processes, and so find more of a chain of processes that start each other.
+/// The children of a process. Call repeatedly: a child that has ended may have started another one
+/// that is not in the list yet. The kernel's lists, one for each thread, are much quicker than a
+/// search through all processes, and so find more of a chain of processes that start each other.
 std::vector<::pid_t> children_of(::pid_t parent) {
   static const bool has_lists = ::access("/proc/thread-self/children", R_OK) == 0;
   if (!has_lists) return scanned_children_of(parent);

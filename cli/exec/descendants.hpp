@@ -15,7 +15,7 @@ namespace xr3 {
 /// ends while the file is read: then reading fails.
 ::pid_t parent_in(std::istream& stat);
 
-/// Orphaned descendants become children of this process from here on. Throws std::system_error.
+/// Makes this process adopt its orphaned descendants. Throws std::system_error.
 void adopt_orphans();
 
 /// The processes that descend from this one, parents first.
@@ -24,9 +24,10 @@ std::vector<::pid_t> descendants();
 /// Maximum time to end the processes that a program has left behind.
 inline constexpr WallNs kKillLimit = 10'000'000'000;
 
-/// Ends the children of this process, and theirs, which become children by that, until it has twice
-/// found none: a process may start another one while it is looked for. Gives up at the deadline, in
-/// wall time. `kept` is ended, too, but stays for its owner to reap; 0: none.
+/// Ends the children of this process, and their children, which this process then adopts, until it
+/// has twice found no child: a process may start another one during the search. Gives up at the
+/// deadline, in wall time. `kept` is ended, too, but stays for its owner to reap; 0 if there is
+/// none.
 void end_children(WallNs deadline, ::pid_t kept);
 
 /// Collects the exit codes of children that have ended, except `kept`.

@@ -20,14 +20,15 @@ inline constexpr const char* kResultFile = "result.json";
 
 /// The program, the files and the number of one run.
 struct RunPlace {
-  std::string title;  ///< of the report
+  std::string title;  ///< title of the report
   std::vector<std::string> command;
-  std::string readable;      ///< what it may read in a sandbox beside what the command names
-  std::string folder;        ///< new, for output, recording, picture and result; empty: none
-  std::string record;        ///< the file of the recording without a folder; empty: none
-  std::size_t run = 0;       ///< of several, from 1; 0: the only one. Each has the next seed
-  std::string refused = {};  ///< why it is judged without being run; empty: it is run
-  std::size_t job = 0;       ///< each has a user of its own if the judge is root
+  std::string readable;  ///< a path readable in a sandbox beside those that the command names
+  std::string folder;    ///< new, for output, recording, picture and result; empty if there is none
+  std::string record;    ///< file of the recording without a folder; empty if there is none
+  /// Number from 1 of several runs, each with the next seed; 0 for the only one.
+  std::size_t run = 0;
+  std::string refused = {};  ///< reason to judge it without a run; empty to run it
+  std::size_t job = 0;       ///< index; selects the user of the run if the judge is root
 };
 
 class Exercise {
@@ -44,11 +45,11 @@ class Exercise {
   /// Whether each run has its own places of the blocks.
   bool is_varied() const { return options_.vary.has_value(); }
 
-  /// Time after which a process that makes a run has failed; 0: none.
+  /// Time after which a process that makes a run has failed; 0 if unlimited.
   WallNs run_limit() const;
 
  private:
-  /// The options, completed by those of an exercise, whose files are there as long as this.
+  /// The options, completed by those of an exercise, whose files exist for the lifetime of this.
   struct Sources {
     Sources(ExecOptions exec_options, ServeOptions server_options);
     ExecOptions exec;
@@ -66,12 +67,12 @@ class Exercise {
   GoalList goals_;
 };
 
-/// The report that the process of a run has returned; one that says that the run could not be made
-/// if it returned none, or no report. `run`: as in RunPlace.
+/// The report that the process of a run has returned; if it returned none, or no report, one that
+/// says that the run could not be made. `run`: as in RunPlace.
 RunReport report_of(const std::optional<std::string>& text, const std::string& title,
                     std::size_t run = 0);
 
-/// How many programs run at a time unless the user says otherwise.
+/// The number of programs that run at a time by default.
 std::size_t usual_jobs();
 
 }  // namespace xr3

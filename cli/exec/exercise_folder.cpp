@@ -32,7 +32,7 @@ fs::path find(const std::string& what) {
                   "; or the path of a folder or a zip archive");
 }
 
-/// An archive may contain the files, or one folder with them.
+/// The folder with the files: an archive may contain them directly, or in one folder.
 fs::path top_of(const fs::path& folder) {
   const fs::directory_iterator entries(folder);
   const auto inner = std::ranges::find_if(entries, is_exercise, &fs::directory_entry::path);
@@ -73,7 +73,7 @@ void ExerciseFolder::set(ServeOptions& options) const {
     }
 }
 
-/// A file is one of the folder.
+/// The path of a file that is given as a name in the folder.
 std::string ExerciseFolder::place_of(const std::string& name) const {
   return is_data_path(name) ? (path_ / name).lexically_normal().string() : name;
 }

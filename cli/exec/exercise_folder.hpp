@@ -22,17 +22,17 @@ class ExerciseFolder {
   const std::filesystem::path& path() const { return path_; }
   const ExerciseFile& file() const { return file_; }
 
-  /// Sets what the exercise says: goals, and the variation unless there is one. Throws FileError if
-  /// the variation is none.
+  /// Sets the options that the exercise states: goals, and the variation unless there is one.
+  /// Throws FileError if the variation is invalid.
   void set(ExecOptions& options) const;
-  /// Robot, workcell, faults and clock. Throws FileError if the clock is none.
+  /// Sets robot, workcell, faults and clock. Throws FileError if the clock is invalid.
   void set(ServeOptions& options) const;
 
  private:
   std::string place_of(const std::string& name) const;
   [[noreturn]] void refuse(const char* member, const std::string& why) const;
 
-  std::optional<RunFolder> unpacked_;  ///< of an archive
+  std::optional<RunFolder> unpacked_;  ///< the unpacked archive, if it is one
   std::filesystem::path path_;
   ExerciseFile file_;
 };

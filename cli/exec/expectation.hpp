@@ -14,14 +14,14 @@ class Expectation {
  public:
   static Expectation all_goals() { return Expectation(Kind::kAllGoals, "", ""); }
   static Expectation no_points() { return Expectation(Kind::kNoPoints, "", ""); }
-  /// `failed` or `time_up`; or the kind of a goal that is missed, with a part of what is found
-  /// instead.
+  /// An expectation in words: `failed` or `time_up`; or the kind of a goal that is missed, with a
+  /// part of its `found`.
   static Expectation stated(std::string what, std::string part) {
     return Expectation(Kind::kStated, std::move(what), std::move(part));
   }
 
   bool is_stated() const { return kind_ == Kind::kStated; }
-  /// How a report differs from it; empty: it does not.
+  /// The difference of a report from the expectation; empty if there is none.
   std::string trouble_of(const RunReport& report) const;
 
  private:

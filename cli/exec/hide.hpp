@@ -3,9 +3,9 @@
 
 namespace xr3 {
 
-/// To be called before anything else of a command that runs programs: no process of the same user
-/// may read the memory, the environment or the open files of this one from here on, or trace it.
-/// Overwrites the token in the environment.
+/// Hides this process from programs of its user: from this call on none may read its memory, its
+/// environment or its open files, or trace it. Overwrites the token in the environment. Call before
+/// anything else in a command that runs programs.
 void hide_from_programs();
 
 }  // namespace xr3

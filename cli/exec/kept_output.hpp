@@ -19,15 +19,15 @@ inline constexpr std::size_t kMaxErrorBytes = std::size_t{64} << 10U;
 
 class KeptOutput {
  public:
-  /// `path`: of the file; empty: none. `is_quiet`: the output is not shown. Throws FileError if the
-  /// file cannot be written.
+  /// `path`: of the file; empty for none. `is_quiet`: the output is not shown. Throws FileError if
+  /// the file cannot be written.
   KeptOutput(const std::string& path, bool is_quiet);
 
-  /// Takes what the program has written to `stream`, STDOUT_FILENO or STDERR_FILENO, and shows it
-  /// there: on a terminal without control characters.
+  /// Adds text that the program has written to `stream`, STDOUT_FILENO or STDERR_FILENO, and shows
+  /// it there: on a terminal without control characters.
   void add(int stream, std::string_view text);
 
-  /// The end of what the program has written to standard error.
+  /// The end of the program's standard error.
   std::string errors() const;
 
  private:

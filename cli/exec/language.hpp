@@ -1,4 +1,4 @@
-// How a program of an exercise is started.
+// The command that starts a program of an exercise, by its language.
 #pragma once
 
 #include <filesystem>

@@ -62,7 +62,7 @@ std::vector<std::string> environment_of(const ProgramSettings& settings) {
   return all;
 }
 
-/// All that a child needs; after the fork no memory can be had.
+/// Everything that a child needs; after the fork no memory can be allocated.
 struct Launch {
   Launch(const ProgramSettings& the_settings, const StandardPipes& the_pipes)
       : settings(the_settings), pipes(the_pipes) {}
@@ -98,8 +98,8 @@ void arrange_descriptors(const Launch& launch) {
   for (int each = kFirstOther; each < kMost; ++each) ::close(each);
 }
 
-/// A session of its own: no terminal of the judge, and none of its handlers. It ends with the
-/// judge.
+/// Leaves the session of the judge: no terminal of the judge, and none of its handlers. Ends with
+/// the judge.
 void leave_judge(const Launch& launch) {
   for (const int each : {SIGPIPE, SIGXFSZ, SIGINT, SIGTERM, SIGHUP}) ::signal(each, SIG_DFL);
   sigset_t none;
@@ -113,17 +113,18 @@ void leave_judge(const Launch& launch) {
   ::setsid();
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   pollfd judge{kResult, 0, 0};
-  if (::poll(&judge, 1, 0) != 0) ::_exit(127);  // it has ended meanwhile
+  if (::poll(&judge, 1, 0) != 0) ::_exit(127);  // the judge has ended meanwhile
 }
 
-/// The system counts those of a user in each user namespace by itself.
+/// Limits the tasks. The system counts those of a user in each user namespace separately.
 void limit_tasks(std::size_t most) {
   if (most == 0) return;
   const rlimit both{most, most};
   if (::setrlimit(RLIMIT_NPROC, &both) != 0) give_up(errno);
 }
 
-/// The system has limits for a user, such as of watched files, that one program must not use up.
+/// Limits files. The system has limits for a user, such as of watched files, that one program must
+/// not use up.
 void limit_files() {
   constexpr rlimit kFiles{256, 256};
   if (::setrlimit(RLIMIT_NOFILE, &kFiles) != 0) give_up(errno);
@@ -140,18 +141,19 @@ void limit_files() {
   give_up(errno);
 }
 
-/// As fork(), with new namespaces, and without the handlers that need locks.
+/// Forks, with new namespaces, and without the handlers that need locks.
 ::pid_t fork_with(unsigned long namespaces) {
   return static_cast<::pid_t>(::syscall(SYS_clone, namespaces | SIGCHLD, 0, 0, 0, 0));
 }
 
-/// A view of the namespace's own processes. Containers may not mount it: then the outer one stays.
+/// Mounts a view of the namespace's own processes. Containers may not mount it: then the outer one
+/// stays.
 void mount_proc() {
   if (::mount(nullptr, "/", nullptr, MS_SLAVE | MS_REC, nullptr) == 0)
     ::mount("proc", "/proc", "proc", MS_NOSUID | MS_NODEV | MS_NOEXEC, nullptr);
 }
 
-/// The first process of a PID namespace: starts the program, waits for it, and tells its status.
+/// The first process of a PID namespace: starts the program, waits for it, and reports its status.
 [[noreturn]] void keep_program(const Launch& launch, bool has_user) {
   leave_judge(launch);
   if (has_user && !launch.maps.write()) give_up(kNoNamespace);

@@ -30,7 +30,7 @@ struct Job {
   std::string text;
 };
 
-/// In the child: never returns.
+/// Runs a task in the child; never returns.
 [[noreturn]] void work(const std::function<std::string(std::size_t)>& task, std::size_t index,
                        int pipe) {
   ::prctl(PR_SET_PDEATHSIG, SIGTERM);
@@ -74,7 +74,7 @@ bool finish(Job& job) {
   return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
-/// Milliseconds until the first deadline; -1: there is none.
+/// Milliseconds until the first deadline; -1 if there is none.
 int until_deadline(const std::vector<Job>& jobs) {
   constexpr WallNs kMs = 1'000'000;
   const WallNs first = std::ranges::min_element(jobs, {}, &Job::deadline)->deadline;
@@ -92,7 +92,7 @@ void wait_for_any(const std::vector<Job>& jobs, const StopSignals* stop,
     throw_errno("poll");
 }
 
-/// Whether a job goes on after poll() has returned these events for it.
+/// Whether a job continues after poll() has returned these events for it.
 bool goes_on(Job& job, short events) {
   if (wall_now() >= job.deadline) {
     ::kill(job.process, SIGKILL);  // stopped, or held up
@@ -115,7 +115,7 @@ std::vector<std::optional<std::string>> in_processes(
     const std::function<std::string(std::size_t)>& task,
     const std::function<void(std::size_t)>& done, StopSignals* stop) {
   assert(jobs > 0);
-  adopt_orphans();  // of a process that failed
+  adopt_orphans();  // orphans of a process that failed
   std::vector<std::optional<std::string>> results(count);
   std::vector<Job> running;
   std::vector<pollfd> watched;

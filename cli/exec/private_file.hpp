@@ -20,7 +20,7 @@ inline Descriptor open_private(const std::string& path) {
   return file;
 }
 
-/// Throws FileError.
+/// Writes a new file with this text. Throws FileError.
 inline void write_private(const std::string& path, std::string_view text) {
   if (!write_all(open_private(path).get(), text)) throw FileError(path + ": cannot be written");
 }

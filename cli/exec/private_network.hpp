@@ -12,7 +12,7 @@
 
 namespace xr3 {
 
-/// The user and group of this process, or of `of`, for a new user namespace in which it keeps them.
+/// The user and group of this process, or of `of`, mapped to themselves in a new user namespace.
 struct IdMaps {
   explicit IdMaps(const std::optional<ProgramUser>& of = {})
       : user(one(of ? of->user : ::geteuid())), group(one(of ? of->group : ::getegid())) {}
@@ -20,7 +20,7 @@ struct IdMaps {
   std::string user;
   std::string group;
 
-  /// Writes them, in the first process of the namespace. Only async-signal-safe calls. Returns
+  /// Writes the maps, in the first process of the namespace. Only async-signal-safe calls. Returns
   /// whether it succeeded.
   bool write() const;
 
@@ -32,17 +32,17 @@ struct IdMaps {
 
 class PrivateNetwork {
  public:
-  /// Makes the namespace in a user namespace of its own, which belongs to `user` (nullopt: the user
-  /// of this process), and in which bubblewrap can make its own and nothing any further one.
+  /// Makes the namespace in a user namespace of its own, which belongs to `user` (nullopt for the
+  /// user of this process), and in which bubblewrap can make its own and nothing any further one.
   /// Throws std::system_error if the system does not allow it.
   explicit PrivateNetwork(const std::optional<ProgramUser>& user);
 
-  /// A socket that listens on 127.0.0.1 and a free port in it. The caller owns it; to be called
+  /// A socket that listens on 127.0.0.1 and a free port of the namespace. The caller owns it. Call
   /// once.
   int release_listener() { return listener_.release(); }
 
-  /// Enters it, in a child process before exec. Only async-signal-safe calls. Returns whether it
-  /// succeeded.
+  /// Enters the namespace, in a child process before exec. Only async-signal-safe calls. Returns
+  /// whether it succeeded.
   bool enter() const;
 
  private:

@@ -82,7 +82,8 @@ void Program::read(OutputPipe& from) {
   from.pipe.async_read_some(asio::buffer(from.buffer),
                             [this, &from](ErrorCode error, std::size_t count) {
                               if (error == asio::error::operation_aborted) return;
-                              if (error) return from.pipe.close();  // its last process has ended
+                              // The last process with the pipe has ended.
+                              if (error) return from.pipe.close();
                               on_output_(from.stream, {from.buffer.data(), count});
                               read(from);
                             });

@@ -36,7 +36,7 @@ bool is_readable_by_all(const fs::path& path) {
   return true;
 }
 
-/// Copies what the user needs, and lets the user's group read it.
+/// Copies the files that the user needs, and lets the user's group read them.
 class Copy {
  public:
   Copy(const fs::path& from, ::gid_t group) : from_(from), group_(group) {}

@@ -19,7 +19,8 @@ void require_port(ErrorCode error, const char* what) {
   if (error) throw std::system_error(error, std::string("cannot listen for the ") + what);
 }
 
-/// Calls need a token that nobody knows, unless the program may control the cell.
+/// The access rules. Unless the program may control the cell, calls need a random token that is
+/// stored nowhere.
 AccessRules rules_of(MonitorAccess access) {
   const bool is_read_only = access == MonitorAccess::kRead;
   return {{http::HostReach::kThisMachine, {}, {}},

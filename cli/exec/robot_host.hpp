@@ -21,9 +21,9 @@ namespace xr3 {
 class RobotHost {
  public:
   /// `options`: of `serve`, for the clock, the lines, and the recording. `pty`: path of a
-  /// pseudo-terminal. `listener`: a socket that listens for the serial lines, which the host owns
-  /// from now on; -1: a free port of loopback. Throws FileError, and std::system_error if no port
-  /// can be had.
+  /// pseudo-terminal. `listener`: a socket that listens for the serial lines, which the host then
+  /// owns; -1 for a free port of loopback. Throws FileError, and std::system_error if no port is
+  /// available.
   RobotHost(const ServeOptions& options, const CellSeed& seed, MonitorAccess access,
             const std::string& pty, int listener);
   RobotHost(const RobotHost&) = delete;
@@ -33,21 +33,21 @@ class RobotHost {
   asio::io_context& io() { return io_; }
   Cell& cell() { return cell_->cell(); }
   std::uint16_t robot_port() const { return cell_->port()->endpoint().port(); }
-  /// nullopt: there is none.
+  /// The monitor port; nullopt if there is none.
   std::optional<std::uint16_t> monitor_port() const;
 
   /// Calls `acted` after each input of the cell.
   void on_action(std::function<void()> acted) { on_action_ = std::move(acted); }
-  /// Runs the event loop until `is_over` returns true; it is asked after every handler. Throws what
-  /// leaves a handler.
+  /// Runs the event loop until `is_over` returns true, which is called after every handler. Throws
+  /// exceptions that leave a handler.
   void run(const std::function<bool()>& is_over);
 
-  /// Accepts no further client than those that have arrived, and lets the open lines be read to
-  /// their end. To be called once.
+  /// Closes the ports, after accepting the clients that have arrived, and lets the open lines be
+  /// read to their end. Call once.
   void close_ports();
   /// Whether every line has been read to its end.
   bool are_lines_closed();
-  /// Closes the lines that are left.
+  /// Closes the remaining lines.
   void abort_lines();
   /// Lets the robot run until nothing moves, but for at most `limit` ticks, whatever its clock.
   void come_to_rest(Tick limit);

@@ -37,7 +37,7 @@ constexpr WallNs kGrace = 2'000'000'000;      // between SIGTERM and SIGKILL
 constexpr WallNs kReadLimit = 5'000'000'000;  // for what the program has sent before its end
 constexpr double kNsPerSecond = 1e9;
 
-/// Samples a cell for the table of --csv, from now on.
+/// Samples a cell for the table of --csv.
 class TableSampler final : private CellWatcher {
  public:
   TableSampler(Cell& cell, const std::string& path)
@@ -66,7 +66,7 @@ class TableSampler final : private CellWatcher {
   Tick next_ = 0;
 };
 
-/// The end of a program in the sandbox by that of bubblewrap, which turns signal N into the exit
+/// The end of a program in the sandbox, from that of bubblewrap, which turns signal N into the exit
 /// code 128 + N.
 ProgramEnd end_in_sandbox(const ProgramEnd& end) {
   constexpr int kSignalled = 128;
@@ -152,7 +152,7 @@ class Run {
     program.environment = {{"XR3_HOST", "127.0.0.1"},
                            {"XR3_PORT", std::to_string(host_.robot_port())},
                            {"XR3_PTY", network_ ? kSandboxPty : pty()},
-                           {"PYTHONUNBUFFERED", "1"}};  // its output is shown as it is printed
+                           {"PYTHONUNBUFFERED", "1"}};  // shows the output as it is printed
     if (network_) program.environment.emplace_back("PYTHONPATH", kSandboxPython);
     // The questions of a program let time pass: it need not wait between them.
     if (settings_.server.clock.mode == ClockMode::kBytes)
@@ -240,7 +240,8 @@ class Run {
       return stop("the program had more than " + std::to_string(kMaxFiles) + " files");
   }
 
-  /// Without those that keep it: its keeper, or the two of bubblewrap.
+  /// The processes of the program, without those that keep it: its keeper, or the two of
+  /// bubblewrap.
   std::vector<::pid_t> its_processes() const {
     std::vector<::pid_t> all = descendants();
     const std::size_t kept = network_ ? 2 : program_->has_keeper() ? 1 : 0;
@@ -273,7 +274,7 @@ class Run {
     wait_until(wall_now() + kGrace, [this] { return program_->has_ended(); });
   }
 
-  /// What it has printed before its end.
+  /// Reads all output that was printed before the program's end.
   void read_output() {
     wait_until(wall_now() + kReadLimit, [this] { return !program_->has_output(); });
   }
@@ -284,7 +285,7 @@ class Run {
     host_.abort_lines();
   }
 
-  /// Runs the event loop until something is so, or the deadline has passed.
+  /// Runs the event loop until the predicate holds or the deadline passes.
   void wait_until(WallNs deadline, const std::function<bool()>& is_so) {
     asio::steady_timer soon(host_.io());
     std::chrono::milliseconds pause{1};
@@ -298,7 +299,8 @@ class Run {
     }
   }
 
-  /// A program that speaks to another robot looks as if it did nothing.
+  /// Adds a hint if no client reached the robot: a program that uses another robot looks as if it
+  /// did nothing.
   void check_reached() {
     const bool may_call = settings_.exec.monitor == MonitorAccess::kControl;
     if (!program_ || may_call || host_.cell().counters().lines_total > 0) return;
@@ -333,7 +335,7 @@ class Run {
   static constexpr WallNs kCountEvery = 100'000'000;
   static constexpr std::uint64_t kMaxFiles = 10'000;
   /// Threads count, too: enough for them, and a bound for a program that starts processes without
-  /// end, between two looks.
+  /// end, between two checks.
   static constexpr std::size_t kTasksOfProcess = 16;
 
   const RunSettings& settings_;

@@ -19,7 +19,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* kPrefix = "xr3-run-";
 
-/// The lock of a folder of this user; none if another process has it, or the folder is gone.
+/// The lock of a folder of this user; empty if another process has it, or the folder no longer
+/// exists.
 Descriptor locked(const fs::path& path) {
   constexpr int kFlags = O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC;
   Descriptor folder(::open(path.c_str(), kFlags));
@@ -31,8 +32,8 @@ Descriptor locked(const fs::path& path) {
   return is_ours ? std::move(folder) : Descriptor();
 }
 
-/// Another process may take a new folder for an abandoned one before it is locked: then the next
-/// one is made.
+/// Makes a folder and locks it. Another process may remove a new folder as abandoned before it is
+/// locked: then the next one is made.
 fs::path make_folder_to_lock() {
   std::string name = fs::temp_directory_path() / (std::string(kPrefix) + "XXXXXX");
   if (::mkdtemp(name.data()) == nullptr)

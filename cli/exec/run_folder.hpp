@@ -17,20 +17,21 @@ void remove_abandoned_folders();
 
 class RunFolder {
  public:
-  /// Makes the folder. `user`: of the program, who may pass through it. Throws FileError.
+  /// Makes the folder. `user`: the user of the program, who may traverse the folder. Throws
+  /// FileError.
   explicit RunFolder(const std::optional<ProgramUser>& user);
   RunFolder(const RunFolder&) = delete;
   RunFolder& operator=(const RunFolder&) = delete;
   ~RunFolder();
 
   std::string file(const char* name) const { return path_ / name; }
-  /// As readable_by(), with the copy in this folder.
+  /// The binding of readable_by(), with the copy in this folder.
   Binding readable(const std::filesystem::path& from, const std::filesystem::path& to);
 
  private:
   std::optional<ProgramUser> user_;
   std::filesystem::path path_;
-  Descriptor lock_;  ///< of the folder, for as long as this process lives
+  Descriptor lock_;  ///< lock of the folder, held for the lifetime of this
   int copies_ = 0;
 };
 

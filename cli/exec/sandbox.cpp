@@ -22,7 +22,7 @@ constexpr const char* kProgram = "bwrap";
 // Memory that it may use as files, in bytes, in each place that it can write to.
 constexpr const char* kWritableBytes = "67108864";
 
-/// Without the files of /etc that only some may read, and without home folders.
+/// Without the files of /etc that only some users may read, and without home folders.
 constexpr const char* kSystem[] = {"/usr",
                                    "/bin",
                                    "/sbin",
@@ -67,7 +67,7 @@ bool has_sandbox() {
   return false;
 }
 
-/// The complaint of bubblewrap, which runs a program that does nothing; empty if it ended well.
+/// The error message of bubblewrap for a program that does nothing; empty if it ended well.
 std::string complaint(const std::optional<ProgramUser>& user) {
   const PrivateNetwork network(user);
   ProgramSettings settings;
@@ -87,7 +87,7 @@ std::string complaint(const std::optional<ProgramUser>& user) {
 
 }  // namespace
 
-// Installed it is beside the data, in a checkout with the clients.
+// The folder of the Python package: beside the data if installed, with the clients in a checkout.
 std::string python_package() {
   const fs::path data = data_folder();
   std::error_code error;

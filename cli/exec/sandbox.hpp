@@ -12,7 +12,7 @@
 
 namespace xr3 {
 
-/// Where the program finds its pseudo-terminal in the sandbox.
+/// The path of the program's pseudo-terminal in the sandbox.
 inline constexpr const char* kSandboxPty = "/run/xr3/serial";
 
 /// The folder for PYTHONPATH in the sandbox, with the package xr3 in it.
@@ -21,11 +21,11 @@ inline constexpr const char* kSandboxPython = "/run/xr3/python";
 /// The Python package xr3 that belongs to this program; empty if there is none.
 std::string python_package();
 
-/// Throws FileError if bubblewrap is not installed, or the system does not let `user` make the
-/// sandbox; it ends with `without`, which says how to go without it.
+/// Requires a working sandbox. Throws FileError if bubblewrap is not installed, or the system does
+/// not let `user` make the sandbox; the message ends with `without`, the way to do without it.
 void require_sandbox(const std::optional<ProgramUser>& user, const std::string& without);
 
-/// The command with bubblewrap before it. `pty`: the device of its pseudo-terminal; empty: none.
+/// The command with bubblewrap before it. `pty`: the device of its pseudo-terminal; empty for none.
 std::vector<std::string> sandboxed(const std::vector<std::string>& command,
                                    const std::vector<Binding>& bindings, const std::string& pty);
 

@@ -24,7 +24,7 @@ Tick SimLimit::left(Tick most) const {
   return std::clamp<Tick>(limit_ - cell_.state().tick, 0, most);
 }
 
-// Ticks at rest are left out: nothing has changed in them but the tick.
+// Checks the limit after a tick. Ticks at rest are left out: nothing changes in them but the tick.
 void SimLimit::after_tick(const Cell& cell) {
   if (limit_ == 0 || moment_ || cell.state().tick < limit_) return;
   moment_ = moment_of(cell, observer_);

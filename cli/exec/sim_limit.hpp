@@ -1,5 +1,5 @@
-// The limit of simulated time: what there is to judge at that tick, however far an input takes the
-// cell.
+// The limit of simulated time: keeps the state to judge at that tick, however far an input advances
+// the cell.
 #pragma once
 
 #include <optional>
@@ -9,25 +9,25 @@
 
 namespace xr3 {
 
-/// All by which a run is judged.
+/// The data by which a run is judged.
 struct JudgedMoment {
   State state;
   RunFacts facts;
-  std::string transcript;  ///< the digest; empty: there is none
+  std::string transcript;  ///< the digest; empty if there is none
 };
 
 JudgedMoment moment_of(const Cell& cell, const RunObserver& observer);
 
 class SimLimit final : private CellWatcher {
  public:
-  /// Begins to watch. `limit`: a tick; 0: none. The cell and the observer, which must have begun to
-  /// watch before, must outlive it.
+  /// Begins to observe. `limit`: a tick; 0 for none. The cell and the observer, which must have
+  /// begun to observe before, must outlive it.
   SimLimit(Cell& cell, const RunObserver& observer, Tick limit);
   ~SimLimit() override { cell_.end_watch(*this); }
 
-  /// The moment at which the limit was reached, and exceeded since; nullopt: it was not.
+  /// The moment at which the limit was reached, and exceeded since; nullopt if it was not.
   const std::optional<JudgedMoment>& moment() const { return moment_; }
-  /// The ticks that are left, but at most `most`.
+  /// The remaining ticks, but at most `most`.
   Tick left(Tick most) const;
 
  private:

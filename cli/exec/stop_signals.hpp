@@ -15,11 +15,11 @@ class StopSignals {
   StopSignals& operator=(const StopSignals&) = delete;
   ~StopSignals() { release(); }
 
-  /// Becomes readable when one arrives. -1 after it was taken.
+  /// Becomes readable when a signal arrives. -1 after it was taken.
   int descriptor() const { return signals_.get(); }
-  /// True once, if one has arrived; a further one then ends this process. Does not wait.
+  /// True once, if a signal has arrived; a further one then ends this process. Does not wait.
   bool take();
-  /// Gives the signals their effect back; in a forked child, too.
+  /// Restores the default effect of the signals; in a forked child, too.
   void release() const;
 
  private:

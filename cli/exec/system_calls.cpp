@@ -48,7 +48,7 @@ std::array<sock_filter, 19> kFilter{
     BPF_STMT(BPF_ALU | BPF_AND | BPF_K, ~kSecondTable),
     skip_if_equal(SYS_socket, 6),
     skip_if_equal(SYS_socketpair, 5),
-    skip_if_equal(SYS_io_uring_setup, 2),  // it makes sockets, too
+    skip_if_equal(SYS_io_uring_setup, 2),  // io_uring can make sockets
     BPF_JUMP(BPF_JMP | BPF_JGE | BPF_K, SYS_add_key, 0, 2),
     BPF_JUMP(BPF_JMP | BPF_JGT | BPF_K, SYS_keyctl, 1, 0),
     result(refused(EPERM)),

@@ -1,4 +1,4 @@
-// Output of a program under test, for a terminal that must not obey it.
+// Output of a program under test, without the control characters that a terminal would execute.
 #pragma once
 
 #include <string>
@@ -6,8 +6,8 @@
 
 namespace xr3 {
 
-/// A stream of text in UTF-8, as printable_lines(). The beginning of a character waits for the rest
-/// of it.
+/// A stream of text in UTF-8, escaped like printable_lines(). An incomplete character is kept until
+/// its rest arrives.
 class TerminalText {
  public:
   /// The next piece, escaped.

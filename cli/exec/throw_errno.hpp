@@ -7,7 +7,7 @@
 
 namespace xr3 {
 
-/// Throws the std::system_error of errno; `what` says what was tried.
+/// Throws the std::system_error of errno; `what` names the failed operation.
 [[noreturn]] inline void throw_errno(const std::string& what) {
   throw std::system_error(errno, std::system_category(), what);
 }

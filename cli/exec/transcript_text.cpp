@@ -12,7 +12,8 @@ void TranscriptText::begin(const Cell& cell, const Input&) {
   input_tick_ = cell.state().tick;
 }
 
-// Their replies stand in the text already, if they act as they arrive.
+// Handles the end of an input. Replies to bytes that were executed at their arrival are in the text
+// already.
 void TranscriptText::end(const Cell&, const Input& input, const Applied& applied) {
   const auto* in = std::get_if<BytesIn>(&input);
   if (in == nullptr || applied.bytes_taken == 0) return;

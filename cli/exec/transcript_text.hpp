@@ -1,4 +1,4 @@
-// The bytes of all lines of a run as a text that people read, for `xr3 exec --out`.
+// The bytes of all lines of a run as readable text, for `xr3 exec --out`.
 #pragma once
 
 #include <cstddef>
@@ -9,11 +9,11 @@
 
 namespace xr3 {
 
-/// A line for the bytes that arrive together, or are sent together: `1300 1 > E+50\r` or
+/// Writes a line for the bytes that arrive together, or are sent together: `1300 1 > E+50\r` or
 /// `1300 1 < R`, with the tick and the number of the serial line.
 class TranscriptText final : public InputLog {
  public:
-  /// Maximum size; what comes later is left out, and the last line says so.
+  /// Maximum size; later lines are left out, and the last line says so.
   static constexpr std::size_t kMaxBytes = std::size_t{4} << 20U;
 
   const std::string& text() const { return text_; }
@@ -32,7 +32,7 @@ class TranscriptText final : public InputLog {
   void add(std::size_t at, const Bytes& bytes);
 
   std::string text_;
-  std::size_t input_at_ = 0;  ///< where the input that acts belongs
+  std::size_t input_at_ = 0;  ///< position in the text for the input that is being executed
   Tick input_tick_ = 0;
   bool is_full_ = false;
 };

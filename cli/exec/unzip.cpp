@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Whether a name stays below the folder in which it is made.
+/// Whether a name stays below the folder in which it is unpacked.
 bool is_inside(const std::string& name) {
   const fs::path path(name);
   return !name.empty() && path.is_relative() && name.find('\\') == std::string::npos &&
@@ -91,7 +91,7 @@ class Archive {
   fs::path path_;
   fs::path folder_;
   ::unzFile file_;
-  std::uint64_t bytes_ = 0;  ///< unpacked so far
+  std::uint64_t bytes_ = 0;  ///< number unpacked so far
 };
 
 }  // namespace

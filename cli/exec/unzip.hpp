@@ -1,4 +1,4 @@
-// Zip archives that other people made.
+// Unpacks zip archives, which are untrusted.
 #pragma once
 
 #include <cstddef>

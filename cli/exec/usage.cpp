@@ -13,8 +13,8 @@
 namespace xr3 {
 namespace {
 
-/// The folder in /proc of a thread that lives: the first one of a process may have ended before the
-/// others. Empty: none does.
+/// The folder in /proc of a living thread of a process, since the first thread may have ended
+/// before the others. Empty if there is none.
 std::string folder_of(::pid_t process) {
   const std::string tasks = "/proc/" + std::to_string(process) + "/task";
   std::error_code ended;
@@ -27,7 +27,7 @@ std::string folder_of(::pid_t process) {
 }
 
 /// The memory of the process with this folder, in which a page that n processes share counts as
-/// 1/n; of one that hides its maps the whole.
+/// 1/n; all of it if the process hides its maps.
 std::uint64_t memory_of(const std::string& process) {
   constexpr std::uint64_t kKib = 1024;
   std::ifstream rollup(process + "/smaps_rollup");
@@ -40,7 +40,7 @@ std::uint64_t memory_of(const std::string& process) {
   return resident * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
 }
 
-/// Adds the files of a process's folders, as far as they are in memory and not yet in `counted`.
+/// Adds the files of a process's folders that are in memory and not yet in `counted`.
 void add_files(const std::string& process, const std::vector<std::string>& folders,
                std::set<::dev_t>& counted, Usage& usage) {
   for (const std::string& folder : folders) {

@@ -13,7 +13,7 @@ bool is_plain_word(std::string_view text) {
   return !text.empty() && std::all_of(text.begin(), text.end(), is_allowed);
 }
 
-/// The alternatives A|B|C of a type; what follows a bracket is left out.
+/// The alternatives A|B|C of a type, up to a bracket.
 std::vector<std::string> alternatives_of(std::string_view type) {
   std::vector<std::string> words;
   while (!type.empty()) {

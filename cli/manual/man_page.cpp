@@ -5,7 +5,7 @@
 namespace xr3 {
 namespace {
 
-/// Text in which roff sees no request, no escape and no hyphen that is a dash.
+/// Text in which roff finds no request, no escape and no hyphen that is a dash.
 std::string roff_text(std::string_view text) {
   std::string out;
   bool is_line_start = true;

@@ -14,10 +14,11 @@ bool is_port_number(const std::string& text) {
   return whole_number<std::uint16_t>(text, 1, 65535).has_value();
 }
 
-/// Resolvers take a number for an IPv4 address: 9601 for 0.0.37.129.
+/// Whether the text is a host. Resolvers take a number for an IPv4 address: 9601 for 0.0.37.129.
 bool is_host(const std::string& text) {
   const bool is_number = text.find_first_not_of("0123456789") == std::string::npos;
-  return !is_number && text.find('/') == std::string::npos;  // is_number: also if it is empty
+  // An empty text counts as a number, too.
+  return !is_number && text.find('/') == std::string::npos;
 }
 
 /// The host and port of the page's address: without scheme, final slash and fragment.

@@ -12,7 +12,7 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-constexpr std::size_t kCommandColumns = 11;  // of the longest name
+constexpr std::size_t kCommandColumns = 11;  // columns of the longest name
 
 /// The subcommand that was given; the program itself if there was none.
 const CLI::App& command_of(const CLI::App& app) {
@@ -34,7 +34,7 @@ std::string perhaps(std::string_view word, const Words& known) {
   return nearest.empty() ? "" : "; perhaps " + nearest + " was meant";
 }
 
-/// The names of which this option is the end, such as --robot-port of --port; else the nearest.
+/// The names that end with this option, such as --robot-port for --port; else the nearest.
 std::string perhaps_option(const std::string& name, const Words& known) {
   std::string longer;
   for (const std::string& each : known)
@@ -68,14 +68,14 @@ std::string list_of_commands(const CLI::App& app) {
   return list;
 }
 
-/// What nothing expected. The library counts the `--` before the arguments of another program.
+/// The unexpected arguments. The library counts the `--` before the arguments of another program.
 Words extras_of(const CLI::App& app) {
   Words extras = app.remaining(true);
   std::erase(extras, "--");
   return extras;
 }
 
-/// The first of the program's arguments that nothing expected.
+/// The first unexpected argument of the program.
 std::string first_extra(const CLI::App& app, const Words& arguments) {
   const Words extras = extras_of(app);
   const auto is_extra = [&extras](const std::string& argument) {
@@ -112,7 +112,7 @@ const CLI::Option* option_in(const CLI::App& command, const std::string& message
   return nullptr;
 }
 
-/// A value or an argument is missing, or there is one too many.
+/// The sentence for a value or an argument that is missing, or one too many.
 std::string miscounted(const CLI::App& app, const CLI::ParseError& error) {
   const CLI::App& command = command_of(app);
   const CLI::Option* option = option_in(command, error.what());

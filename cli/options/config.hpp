@@ -1,5 +1,5 @@
 // Options from a config file: flat TOML, one `key = value` per line. CLI11 reads it but silently
-// skips what it does not understand; such lines are errors here, reported with file and line.
+// skips lines that it does not understand; such lines are errors here, reported with file and line.
 #pragma once
 
 #include <CLI/App.hpp>

@@ -11,8 +11,8 @@
 
 namespace xr3 {
 
-/// Each option of the command except --help and `except` takes its value from a variable unless it
-/// is an argument: `--robot-port` from XR3_ROBOT_PORT.
+/// Lets each option of the command except --help and `except` take its value from a variable unless
+/// it is an argument: `--robot-port` from XR3_ROBOT_PORT.
 void read_environment(CLI::App& command, const std::set<std::string>& except);
 
 /// Whether the option was given on the command line.

@@ -20,7 +20,8 @@ MonitorAccess monitor_named(const std::string& name) {
   return name == "read" ? MonitorAccess::kRead : MonitorAccess::kControl;
 }
 
-/// A number at the beginning of a text, which it shortens; nullopt: none, or out of range.
+/// Removes a number from the beginning of a text and returns it; nullopt if there is none, or it is
+/// out of range.
 std::optional<double> take_number(std::string& text, double most) {
   std::size_t end = 0;
   double number = 0;
@@ -56,7 +57,7 @@ void add_limits(CLI::App& command, RunLimits& limits) {
       ->capture_default_str();
 }
 
-/// --exercise, which excludes the options that an exercise sets.
+/// Adds --exercise, which excludes the options that an exercise sets.
 void add_exercise(CLI::App& command, ExecOptions& options) {
   CLI::Option* exercise =
       add_value(command, "--exercise", options.exercise, "NAME|FOLDER|ZIP",
@@ -65,7 +66,7 @@ void add_exercise(CLI::App& command, ExecOptions& options) {
     exercise->excludes(each);
 }
 
-/// What exec and grade have in common: the robot, the goals, limits.
+/// Adds the options of both exec and grade: the robot, the goals, limits.
 void add_run(CLI::App& command, ExecOptions& options, ServeOptions& server) {
   server.clock = {ClockMode::kBytes, Rate{}, {}};
   server.log_level = "off";
@@ -101,7 +102,7 @@ void add_readable(CLI::App& command, ExecOptions& options, const std::string& wh
       ->allow_extra_args(false);
 }
 
-/// `exec` runs a program of one's own, `grade` those of other people.
+/// Adds the options of the sandbox. `exec` runs a trusted program, `grade` untrusted ones.
 void add_sandbox_of_exec(CLI::App& command, ExecOptions& options) {
   options.without_sandbox = "leave out --sandbox, which runs the program with your rights";
   CLI::Option* sandbox = command.add_flag(

@@ -17,55 +17,58 @@ struct ServeOptions;
 /// Maximum of --jobs.
 inline constexpr int kMaxJobs = 256;
 
-/// What the program under test may do on the monitor port.
+/// The program's rights on the monitor port.
 enum class MonitorAccess : std::uint8_t {
-  kNone,  ///< there is none
+  kNone,  ///< no monitor port
   kRead,
-  kControl,  ///< it could move blocks by itself
+  kControl,  ///< the program can move blocks by itself
 };
 
-/// Limits of a run; 0: none.
+/// Limits of a run; 0 for none.
 struct RunLimits {
   Tick sim_ticks = 600 * kTickHz;
   double wall_s = 60;
-  std::uint64_t bytes = 0;       ///< that the program sends
-  std::size_t memory_mib = 512;  ///< of all its processes, and of its files in the sandbox
-  std::size_t processes = 64;    ///< that it may have at a time
+  std::uint64_t bytes = 0;       ///< number sent by the program
+  std::size_t memory_mib = 512;  ///< memory of all its processes, and of its files in the sandbox
+  std::size_t processes = 64;    ///< maximum number at a time
 };
 
 struct ExecOptions {
-  std::string exercise;  ///< a name, folder or archive that says the robot and goals; empty: none
-  std::string goals;     ///< a file; empty: none
+  /// A name, folder or archive with the robot and goals; empty if there is none.
+  std::string exercise;
+  std::string goals;  ///< a file; empty if there is none
   RunLimits limits;
   MonitorAccess monitor = MonitorAccess::kNone;
-  bool has_input = false;  ///< the program reads standard input
-  bool is_quiet = false;   ///< its output is not shown
+  bool has_input = false;  ///< whether the program reads standard input
+  bool is_quiet = false;   ///< whether its output is hidden
   bool is_sandboxed = false;
-  std::string run_as;                 ///< name or number of a user; empty: see program_user()
-  std::string without_sandbox;        ///< how to go without it, for messages
-  std::vector<std::string> readable;  ///< in the sandbox, beside the files of the command
+  std::string run_as;           ///< name or number of a user; empty for program_user()
+  std::string without_sandbox;  ///< the way to do without it, for messages
+  /// Paths readable in the sandbox, beside the files of the command.
+  std::vector<std::string> readable;
   int repeat = 1;
   std::optional<Variation> vary;
-  std::string csv;    ///< a table of joints over time; empty: none
-  std::string junit;  ///< files for the results; empty: none
+  std::string csv;    ///< a table of joints over time; empty for none
+  std::string junit;  ///< a file for the results; empty for none, as for the next two
   std::string json;
   std::string markdown;
-  std::string out;  ///< a new folder for the files of each run; empty: none
+  std::string out;  ///< a new folder for the files of each run; empty for none
   std::vector<std::string> command;
 };
 
 struct GradeOptions {
-  std::string folder;             ///< with the submissions
+  std::string folder;             ///< folder with the submissions
   std::string report;             ///< a new folder for the report
-  bool has_only_missing = false;  ///< the folder may have results already, which are kept
-  std::size_t jobs = 0;           ///< submissions at a time; 0: the usual number
+  bool has_only_missing = false;  ///< whether the folder may have results already, which are kept
+  std::size_t jobs = 0;           ///< submissions at a time; 0 for the default
 };
 
-/// The subcommands; `server` is for the robot. The command of `grade` has `{}` for the submission.
+/// Adds the subcommands; `server` is for the robot. The command of `grade` has `{}` for the
+/// submission.
 void add_exec(CLI::App& app, ExecOptions& options, ServeOptions& server);
 void add_grade(CLI::App& app, GradeOptions& options, ExecOptions& exec, ServeOptions& server);
 
-/// `SEED`, `SEED:MM` or `SEED:MM,DEG`. Throws std::invalid_argument, with the allowed form.
+/// Parses `SEED`, `SEED:MM` or `SEED:MM,DEG`. Throws std::invalid_argument, with the allowed form.
 Variation parse_variation(const std::string& text);
 
 }  // namespace xr3

@@ -1,5 +1,7 @@
 #include "cli/options/healthcheck.hpp"
 
+#include <cassert>
+
 #include "cli/options/config.hpp"
 #include "cli/options/environment.hpp"
 #include "cli/options/shared_options.hpp"
@@ -10,7 +12,8 @@ namespace {
 
 constexpr double kMaxWaitS = 86'400;
 
-// --monitor-port as an argument overrides a port file from the environment or the config file.
+// Chooses the port: --monitor-port as an argument overrides a port file from the environment or the
+// config file.
 void choose_port(const CLI::App& health, HealthOptions& options) {
   const bool is_port_given = is_argument(health, "--monitor-port");
   if (is_port_given && !is_argument(health, "--port-file")) options.port_file.clear();
@@ -49,6 +52,7 @@ void add_health(CLI::App& app, HealthOptions& options) {
 }
 
 std::string address_to_ask(const std::string& listen) {
+  assert(check_listen(listen).empty());
   if (listen == "localhost" || listen == "0.0.0.0") return "127.0.0.1";
   const bool is_any = asio::ip::make_address(listen).is_unspecified();
   return is_any ? "::1" : listen;

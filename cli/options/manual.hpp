@@ -10,8 +10,8 @@
 namespace xr3 {
 
 struct ManualOptions {
-  std::string command;     ///< its page; empty: that of xr3
-  std::string folder;      ///< write all files below it; empty: print one page
+  std::string command;     ///< command of the page; empty for that of xr3
+  std::string folder;      ///< folder to write all files below; empty to print one page
   std::string completion;  ///< a shell, or a kind of data files whose names are printed
 };
 
@@ -24,10 +24,10 @@ struct ManualFile {
 void add_manual(CLI::App& app, ManualOptions& options);
 void add_completion(CLI::App& app, ManualOptions& options);
 
-/// What `xr3 manual` prints. Throws ArgumentError if there is no such command.
+/// The text that `xr3 manual` prints. Throws ArgumentError if there is no such command.
 std::string manual_page(const CLI::App& app, const ManualOptions& options);
 
-/// What `xr3 completion` prints. Throws FileError if there is no data folder.
+/// The text that `xr3 completion` prints. Throws FileError if there is no data folder.
 std::string completion_text(const CLI::App& app, const ManualOptions& options);
 
 /// All pages and completions, at their places below share/.

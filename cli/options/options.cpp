@@ -128,7 +128,8 @@ bool is_help_wanted(const CLI::App& app) {
   return !commands.empty() && commands.front()->get_help_ptr()->count() > 0;
 }
 
-// Help and version are printed as they are; an error becomes one sentence.
+// The result for an error of parsing: help and version are printed as they are; an error becomes
+// one sentence.
 Leave leave(const CLI::App& app, const CLI::ParseError& error,
             const std::vector<std::string>& arguments) {
   if (error.get_exit_code() != 0 && is_help_wanted(app)) return {ExitCode::kGood, app.help(), ""};
@@ -142,7 +143,7 @@ Leave leave(const CLI::App& app, const CLI::ParseError& error,
   return {ExitCode::kGood, out.str(), err.str()};
 }
 
-/// `INQUIRY_MS[,settle=MS]`, which begins at `from`.
+/// Parses `INQUIRY_MS[,settle=MS]`, which begins at `from`.
 ByteClockSettings parse_byte_clock(const std::string& text, std::size_t from) {
   constexpr std::string_view kSettle = "settle=";
   using Limits = ByteClockSettings;

@@ -17,9 +17,9 @@ class ArgumentError : public ExitError {
   explicit ArgumentError(const std::string& what) : ExitError(ExitCode::kBadInput, what) {}
 };
 
-/// The counts nearest to the joint variables, from the base on (degrees or mm; none: soft home),
-/// and to the tool variable. Throws ArgumentError for a wrong number of values or one out of its
-/// limits.
+/// The counts nearest to the joint variables, from the base on (degrees or mm; if empty, the soft
+/// home), and to the tool variable. Throws ArgumentError for a wrong number of values or one out of
+/// its limits.
 Positions pose_argument(const Model& model, const std::vector<double>& joints,
                         std::optional<double> tool);
 

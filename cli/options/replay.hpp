@@ -12,7 +12,7 @@ namespace xr3 {
 
 struct ServeOptions;
 
-/// What is printed of the state at the end.
+/// The part of the state at the end that is printed.
 enum class ReplayPrint : std::uint8_t {
   kNothing,
   kState,   ///< the monitor's `state` message, on one line
@@ -23,16 +23,16 @@ struct ReplayOptions {
   std::string file;
   std::optional<ReplayTime> until;
   ReplayPrint print = ReplayPrint::kNothing;
-  std::string svg;     ///< a picture of the end; empty: none
-  std::string csv;     ///< a table of joints over time; empty: none
-  int every_ms = 100;  ///< between its lines
+  std::string svg;     ///< a picture of the end; empty for none
+  std::string csv;     ///< a table of joints over time; empty for none
+  int every_ms = 100;  ///< simulated time between its lines
   bool is_serving = false;
 };
 
-/// The subcommand `replay` with its options; those of the server that goes on are `server`.
+/// Adds the subcommand `replay` with its options; `server` has those of serving after it.
 void add_replay(CLI::App& app, ReplayOptions& options, ServeOptions& server);
 
-/// `TICK` or `EPOCH:TICK`. Throws std::invalid_argument, with the allowed form.
+/// Parses `TICK` or `EPOCH:TICK`. Throws std::invalid_argument, with the allowed form.
 ReplayTime parse_replay_time(const std::string& text);
 
 }  // namespace xr3

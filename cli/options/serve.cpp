@@ -35,7 +35,7 @@ std::string check_origin(const std::string& text) {
              : text + ": an origin has the form https://page.lab or http://a:8080";
 }
 
-// A list: values separated by commas, or repeated uses of the option.
+// Adds a list: values separated by commas, or repeated uses of the option.
 void add_names(CLI::App& serve, const std::string& name, std::vector<std::string>& names,
                const std::string& type, const std::string& what,
                std::string (*check)(const std::string&)) {
@@ -86,7 +86,7 @@ bool is_set(const CLI::App& command, const std::string& name) {
   return command.get_option(name)->count() > 0;
 }
 
-// Defaults that depend on the number of cells.
+// Sets defaults that depend on the number of cells.
 void complete_cells(const CLI::App& serve, ServeOptions& options) {
   constexpr std::size_t kLinesOfEach = 4;
   const std::size_t count = options.cells + options.cell_choices.size();
@@ -116,7 +116,8 @@ std::optional<Leave> refuse_cells(const ServeOptions& options) {
   return std::nullopt;
 }
 
-// Called after CLI11 has read arguments and environment; the config file has lower precedence.
+// Completes the options. Called after CLI11 has read arguments and environment; the config file has
+// lower precedence.
 void complete(CLI::App& serve, ServeOptions& options) {
   if (is_argument(serve, "--token") && is_argument(serve, "--token-file"))
     throw CLI::ExcludesError("--token", "--token-file");

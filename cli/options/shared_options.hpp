@@ -35,7 +35,7 @@ CLI::Option* add_value(CLI::App& command, const std::string& name, Value& value,
   return command.add_option(name, value, what)->type_name(type);
 }
 
-/// The same for a value that `parse` reads.
+/// Adds an option with a value that `parse` reads, which --help shows as `type`.
 template <class Value, class Parse>
 CLI::Option* add_parsed(CLI::App& command, const std::string& name, Value& value, Parse parse,
                         const std::string& type, const std::string& what) {
@@ -45,12 +45,12 @@ CLI::Option* add_parsed(CLI::App& command, const std::string& name, Value& value
       ->check(parses(parse));
 }
 
-/// Adds the port of the address before it, as a word of its own: `localhost 9600`. `set` may throw
+/// Adds the port of the preceding address, as a word of its own: `localhost 9600`. `set` may throw
 /// std::invalid_argument.
 void add_port_word(CLI::App& command, std::function<void(const std::string&)> set);
 
-/// Validators: empty if the text is a valid address to listen on, port, or value of a flag; else
-/// the error, with the allowed values.
+/// Validators: an empty text if the text is a valid address to listen on, port, or value of a flag;
+/// else the error, with the allowed values.
 std::string check_listen(const std::string& text);
 std::string check_port(const std::string& text);
 std::string check_flag(const std::string& text);
@@ -59,7 +59,7 @@ std::string check_flag(const std::string& text);
 CLI::Validator number_between(double least, double most);
 CLI::Validator whole_number_between(std::int64_t least, std::int64_t most);
 
-/// Throws std::invalid_argument, with the allowed values.
+/// Parses a profile. Throws std::invalid_argument, with the allowed values.
 Profile parse_profile(const std::string& text);
 
 /// Adds the option `--compat`.
@@ -68,20 +68,20 @@ void add_profile(CLI::App& command, Profile& profile);
 /// Adds a flag. In the environment and in a config file it has a value, such as true.
 void add_flag(CLI::App& command, const std::string& name, bool& value, const std::string& what);
 
-/// Options of `serve` that `exec` and `grade` have, too: robot, workcell and faults; profile,
-/// clock, whose description is `clocks`, and turns of lines; the speed of lines.
+/// Adds the options of `serve` that `exec` and `grade` have, too: robot, workcell and faults;
+/// profile, clock, whose description is `clocks`, and turns of lines; the speed of lines.
 void add_machine(CLI::App& command, ServeOptions& options);
 void add_time(CLI::App& command, ServeOptions& options, const std::string& clocks);
 void add_line_speed(CLI::App& command, ServeOptions& options);
 
-/// Options of `serve` that a replay that goes on has, too: addresses and ports, the file with the
-/// ports, the log, and who may use the monitor port.
+/// Adds the options of `serve` that a replay with serving has, too: addresses and ports, the file
+/// with the ports, the log, and access to the monitor port.
 void add_ports(CLI::App& serve, ServeOptions& options);
 void add_port_file(CLI::App& serve, ServeOptions& options);
 void add_log(CLI::App& serve, ServeOptions& options);
 void add_access(CLI::App& serve, ServeOptions& options);
 
-/// The subcommand `serve` with its options.
+/// Adds the subcommand `serve` with its options.
 void add_serve(CLI::App& app, ServeOptions& options);
 
 /// The options if they are consistent; else Leave with the error.

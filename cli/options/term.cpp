@@ -57,7 +57,7 @@ void add_peer(CLI::App& term, TermOptions& options) {
              "speed and frame of the serial port (default 9600-7e2)");
 }
 
-// The line's settings mean nothing to a plain TCP connection.
+// Checks options against each other: the line's settings have no effect on a plain TCP connection.
 void check_consistency(const CLI::App& term, const TermOptions& options) {
   if (options.is_path && options.is_rfc2217) {
     throw CLI::ValidationError("--rfc2217 needs HOST:PORT, not a path");

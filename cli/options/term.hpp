@@ -11,7 +11,7 @@
 
 namespace xr3 {
 
-/// How bytes are shown.
+/// The form in which bytes are shown.
 enum class TermView : std::uint8_t {
   kText,  ///< replies decoded
   kHex,   ///< bytes of both directions
@@ -21,18 +21,18 @@ enum class TermView : std::uint8_t {
 struct TermOptions {
   std::string peer = "localhost:9600";  ///< a path as given, or the text of the address
   bool is_path = false;                 ///< a device or pseudo-terminal, not an address
-  PortAddress address;                  ///< unless is_path
+  PortAddress address;                  ///< the address, unless is_path
   bool is_rfc2217 = false;              ///< negotiate COM-PORT with the address
-  SerialSettings settings{kDefaultBaud, SerialFrame{}};  ///< of a path, or by RFC 2217
+  SerialSettings settings{kDefaultBaud, SerialFrame{}};  ///< settings of the device, or of RFC 2217
   TermView view = TermView::kText;
   bool edits_lines = false;
-  std::string robot;     ///< name or path; empty: unknown
-  std::string workcell;  ///< name or path; empty: the one with the robot's name
+  std::string robot;     ///< name or path; empty if unknown
+  std::string workcell;  ///< name or path; empty for the one with the robot's name
   Profile profile = Profile::kPaper;
   double timeout_s = 3;  ///< for a reply
 };
 
-/// The subcommand `term` with its options.
+/// Adds the subcommand `term` with its options.
 void add_term(CLI::App& app, TermOptions& options);
 
 }  // namespace xr3

@@ -11,7 +11,7 @@
 namespace xr3 {
 namespace {
 
-/// Carries out a request.
+/// Executes a request.
 struct Act {
   TermSession& session;
   TermConsole& console;
@@ -70,7 +70,7 @@ asio::awaitable<void> TermConsole::await_signals() {
   }
 }
 
-// The bytes in hexadecimal replace the echo.
+// Sends a key. The bytes in hexadecimal replace the echo.
 void TermConsole::type(const term::Keystroke& key) {
   const term::Typist::Outcome outcome = typist_.press(key);
   const bool is_data = !outcome.requests.empty() &&

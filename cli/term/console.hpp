@@ -1,4 +1,4 @@
-// `xr3 term` for a person at a terminal: keys go to the session, what happens goes to the screen.
+// `xr3 term` for a user at a terminal: keys go to the session, its reports go to the screen.
 #pragma once
 
 #include <boost/asio/signal_set.hpp>
@@ -17,7 +17,8 @@ namespace xr3 {
 
 class TermConsole : public TermListener {
  public:
-  /// Takes the terminal until it is destroyed. The context and the options must outlive it.
+  /// Switches the terminal to key input until the destruction. The context and the options must
+  /// outlive it.
   TermConsole(asio::io_context& context, const TermOptions& options);
 
   /// Prints a greeting and starts to read keys. The session must outlive the context's run.

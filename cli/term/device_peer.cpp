@@ -13,7 +13,7 @@
 namespace xr3 {
 namespace {
 
-/// A pseudo-terminal has no modem lines.
+/// Whether the device has modem lines, which a pseudo-terminal lacks.
 bool has_modem_lines(int device) {
   int lines = 0;
   return ::ioctl(device, TIOCMGET, &lines) == 0;

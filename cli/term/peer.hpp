@@ -18,20 +18,21 @@ class TermPeer {
 
   /// Received data, valid until the next read. Empty if the peer has ended, or is lost.
   virtual asio::awaitable<std::string_view> read() = 0;
-  /// Sends the data, and protocol bytes that are due. False if the peer is lost.
+  /// Sends the data, and pending protocol bytes. False if the peer is lost.
   virtual asio::awaitable<bool> write(std::string_view data) = 0;
   /// Sends a break. Returns the reason if that is not possible. Not during a write.
   virtual asio::awaitable<std::string> send_break() = 0;
 
-  /// Protocol bytes are due: write() must be called, if only with no data.
+  /// Whether protocol bytes are pending: write() must be called, if only with no data.
   virtual bool has_protocol_bytes() const { return false; }
-  /// The peer has asked to send no data for now.
+  /// Whether the peer has asked to send no data for now.
   virtual bool is_suspended() const { return false; }
   /// Calls `due` when one of the two may have changed.
   // NOLINTNEXTLINE(performance-unnecessary-value-param): other peers keep it
   virtual void when_protocol(std::function<void()> /*due*/) {}
 
-  /// No more data will be sent. Returns whether the peer can then end the line itself.
+  /// Announces that no more data will be sent. Returns whether the peer can then end the line
+  /// itself.
   virtual bool finish() = 0;
 };
 

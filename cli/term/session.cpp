@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kMaxChunk = 256;
 /// A reply of unknown length ends when no byte has come for this time.
 constexpr std::chrono::milliseconds kBurstEnd{250};
-/// For a peer that does not end the line although nothing more will be sent.
+/// Waiting time for a peer that does not end the line although nothing more will be sent.
 constexpr std::chrono::milliseconds kLastWords{500};
 
 std::string text_of_seconds(std::chrono::milliseconds time) {
@@ -168,7 +168,8 @@ asio::awaitable<void> TermSession::read_loop() {
   lose_peer();
 }
 
-// It takes robot commands for a bad request, and an answer would be decoded as replies.
+// Warns if the port is a monitor port, which answers robot commands as a bad request; its bytes
+// would be decoded as replies.
 void TermSession::warn_of_monitor_port(std::string_view first_bytes) {
   const bool is_one = first_bytes.starts_with("HTTP/1.") || first_bytes.starts_with("{\"op\":");
   if (is_one) listener_.say(peer_name_ + " is no robot port; that of xr3 serve is usually 9600");
@@ -181,7 +182,8 @@ void TermSession::wake() {
 
 // --- The end.
 
-/// Everything is sent and answered. A simulated robot ends the line when everything has acted.
+/// Ends after everything is sent and answered. A simulated robot ends the line when every byte has
+/// been executed.
 void TermSession::end_input() {
   is_input_ended_ = true;
   if (!peer_.finish()) return stop(exit_code_);

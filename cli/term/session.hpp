@@ -1,6 +1,17 @@
-// The exchange of `xr3 term` with its peer: what is to be sent leaves as fast as the peer reads and
-// replies, while replies are always read, so that neither side can block the other. A view shows
-// what happens. One thread.
+// The exchange of `xr3 term` with its peer: queued data is sent as fast as the peer reads and
+// replies, while replies are always read, so that neither side can block the other. One thread.
+//
+// The flow through the folder: run_command() (term.cpp) opens the peer (peer.hpp): a TCP
+// connection, perhaps with RFC 2217 (tcp_peer.hpp), or a device (device_peer.hpp). At a terminal
+// TermConsole (console.hpp) switches it to raw keys (raw_terminal.hpp), reads them
+// (standard_input.hpp), and asks tools/term for their meaning; for a script TermPipe (pipe.hpp)
+// passes standard input on unchanged. Both are the listener of a TermSession and queue bytes, files
+// and breaks in it. One coroutine of the session writes: it takes the next chunk, unless too many
+// inquiries are unanswered or the peer has suspended sending. The other reads, and passes the bytes
+// through the LineDecoder (tools/term/line_decoder.hpp) to the listener, with decoded replies. A
+// timer completes replies of unknown length and reports missing ones. The session ends when the
+// input has ended and is answered, or when the peer is lost; then it stops the context with the
+// exit code.
 #pragma once
 
 #include <chrono>
@@ -27,11 +38,11 @@ class TermListener {
   TermListener& operator=(const TermListener&) = delete;
   virtual ~TermListener() = default;
 
-  /// Bytes are sent now; the controller ignores some of them for these reasons.
+  /// Reports bytes that are sent now, and the reasons why the controller ignores some of them.
   virtual void note_sent(std::string_view bytes, const std::vector<std::string>& ignored) = 0;
-  /// Received bytes, and the replies that they complete, decoded.
+  /// Reports received bytes, and the replies that they complete, decoded.
   virtual void note_received(std::string_view bytes, const std::vector<std::string>& replies) = 0;
-  /// A sentence for the user.
+  /// Reports a sentence for the user.
   virtual void say(const std::string& sentence) = 0;
 };
 
@@ -50,9 +61,10 @@ class TermSession {
   void start();
 
   void send(std::string_view bytes);
-  /// Sends a file behind everything that is already queued. Reports the end, or why not.
+  /// Sends a file behind everything that is already queued. Reports the end, or the reason why it
+  /// failed.
   void send_file(const std::string& path);
-  /// Sends a break when what is queued has been sent.
+  /// Sends a break when the queued data has been sent.
   void send_break();
   /// Resumes when everything that was queued has been sent.
   asio::awaitable<void> when_sent();
@@ -99,7 +111,7 @@ class TermSession {
   asio::steady_timer sent_;   ///< for when_sent(): cancelled when sources_ is empty
   asio::steady_timer timeout_;
   asio::steady_timer burst_;
-  asio::steady_timer last_words_;  ///< after finish(): what the peer still sends
+  asio::steady_timer last_words_;  ///< after finish(): limits the wait for the peer's last bytes
   bool is_wake_pending_ = false;
   bool has_received_ = false;
   bool is_writing_ = false;

@@ -6,7 +6,7 @@
 namespace xr3 {
 namespace {
 
-/// Files and devices such as /dev/null, for which epoll does not wait.
+/// Whether standard input is a file or a device such as /dev/null, for which epoll does not wait.
 bool is_always_ready() {
   struct stat status {};
   if (::fstat(STDIN_FILENO, &status) != 0) return true;

@@ -15,7 +15,7 @@ namespace {
 constexpr std::chrono::seconds kMaxConnecting{5};
 constexpr std::chrono::milliseconds kBreakTime{300};
 
-/// The result of connecting; the peer, or why there is none.
+/// The result of connecting: the peer, or the reason why there is none.
 struct Connecting {
   std::unique_ptr<TcpPeer> peer;
   std::string trouble;

@@ -14,7 +14,7 @@ namespace xr3 {
 
 class TcpPeer : public TermPeer {
  public:
-  /// With `telnet`, for RFC 2217.
+  /// With `telnet`, the connection uses RFC 2217.
   TcpPeer(tcp::socket socket, std::optional<TelnetClient> telnet)
       : socket_(std::move(socket)), telnet_(std::move(telnet)) {}
 
@@ -35,14 +35,15 @@ class TcpPeer : public TermPeer {
 
   tcp::socket socket_;
   std::optional<TelnetClient> telnet_;
-  std::string protocol_bytes_;  ///< to send before the next data
+  std::string protocol_bytes_;  ///< sent before the next data
   std::function<void()> due_;
   std::array<char, 8192> buffer_{};
   std::string early_data_;  ///< received while negotiating
-  std::string data_;        ///< what the last read() returned, with telnet
+  std::string data_;        ///< data of the last read(), with telnet
 };
 
-/// Connects, and negotiates if the options say so. Throws ExitError if nobody answers in 5 s.
+/// Connects, and negotiates if the options say so. Throws ExitError if the connection does not
+/// answer within 5 s.
 std::unique_ptr<TcpPeer> connect_peer(asio::io_context& context, const TermOptions& options);
 
 }  // namespace xr3

@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* kUsualRobot = "rhino-xr3";
 
-/// An open peer, and what the user should know about it.
+/// An open peer, and a warning about it for the user.
 struct OpenPeer {
   std::unique_ptr<TermPeer> peer;
   std::string greeting;
