@@ -1,8 +1,6 @@
 // The origin of serial lines: the robot port, or the pseudo-terminals.
 #pragma once
 
-#include <cstdint>
-
 #include "cell/counters.hpp"
 #include "protocol/explain/cell_event.hpp"
 #include "server/net/asio.hpp"
@@ -11,11 +9,9 @@ namespace xr3 {
 
 class LineSource {
  public:
-  /// Waits until the bytes that clients have sent before this call can be read, or some of them.
+  /// Waits until the bytes that clients have sent before this call can be read. Those of lines that
+  /// would take more than a read are applied.
   virtual asio::awaitable<void> settle() { co_return; }
-  /// A number that differs from an earlier one if a line has begun, acted or ended since: then
-  /// there may be more to settle. Always 0 if settle() leaves nothing.
-  virtual std::uint64_t progress() const { return 0; }
   /// Opens a line for each client that has arrived, without waiting.
   virtual void accept_arrived() = 0;
   /// Bytes of one of its lines have acted.

@@ -40,20 +40,20 @@ class LineStream {
   /// this line.
   virtual std::optional<LineSettings> take_settings(LineId) { return std::nullopt; }
 
-  /// The client is gone, but bytes that it has sent may still have to be read. (For a connection,
-  /// LineWatch reports this.)
-  virtual bool is_hung_up() const { return false; }
-
+  /// The last read has left bytes, although it gave fewer than were wanted: their settings differ.
+  bool has_more() const { return has_more_; }
   /// The client sends no more bytes.
   bool has_ended() const { return has_ended_; }
   /// The connection is broken.
   bool is_lost() const { return is_lost_; }
 
  protected:
+  void note_more(bool has_more) { has_more_ = has_more; }
   void note_ended() { has_ended_ = true; }
   void note_lost() { is_lost_ = true; }
 
  private:
+  bool has_more_ = false;
   bool has_ended_ = false;
   bool is_lost_ = false;
 };

@@ -20,9 +20,7 @@ bool LineWatch::add(int descriptor, SessionNumber session) {
   epoll_event event{};
   event.events = EPOLLIN | EPOLLOUT | EPOLLRDHUP | EPOLLET;
   event.data.u32 = session;
-  if (::epoll_ctl(set_.native_handle(), EPOLL_CTL_ADD, descriptor, &event) == 0) return true;
-  return errno == EEXIST &&
-         ::epoll_ctl(set_.native_handle(), EPOLL_CTL_MOD, descriptor, &event) == 0;
+  return ::epoll_ctl(set_.native_handle(), EPOLL_CTL_ADD, descriptor, &event) == 0;
 }
 
 asio::awaitable<bool> LineWatch::wait() {

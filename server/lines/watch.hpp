@@ -31,9 +31,8 @@ class LineWatch {
   LineWatch(const LineWatch&) = delete;
   LineWatch& operator=(const LineWatch&) = delete;
 
-  /// Adds a descriptor, or gives one that was added before to another session, as that of a
-  /// pseudo-terminal. Events before this call are reported, too. Closing the descriptor removes it.
-  /// Returns false if the system refuses.
+  /// Adds a descriptor. Events before this call are reported, too. Closing the descriptor removes
+  /// it. Returns false if the system refuses.
   bool add(int descriptor, SessionNumber session);
 
   /// Waits for news. Returns false if closed. Throws boost::system::system_error.

@@ -1,19 +1,13 @@
 #include "server/pty/port.hpp"
 
-#include <fcntl.h>
 #include <spdlog/spdlog.h>
 
-#include <algorithm>
-#include <boost/system/system_error.hpp>
+#include <boost/asio/post.hpp>
 #include <cassert>
-#include <cerrno>
-#include <cstring>
 #include <memory>
 #include <utility>
 
 #include "cell/failure.hpp"
-#include "server/files/data_files.hpp"
-#include "server/net/spawn.hpp"
 #include "server/pty/stream.hpp"
 
 namespace xr3 {
@@ -21,98 +15,91 @@ namespace {
 
 constexpr const char* kPtyName = "the pseudo-terminals";
 
-/// A copy, which its owner may close.
-int copy_of(int descriptor) {
-  const int copy = ::fcntl(descriptor, F_DUPFD_CLOEXEC, 0);
-  if (copy < 0)
-    throw FileError(std::string("a pseudo-terminal cannot be watched: ") + std::strerror(errno));
-  return copy;
-}
+// Maximum number of rounds of a barrier. A pseudo-terminal holds at most 22 KiB, of which a round
+// moves 4095 bytes; the end of a line and the start of the next take one each. More only come from
+// programs that go on meanwhile.
+constexpr int kMaxRounds = 13;
 
 }  // namespace
-
-PtyPort::Terminal::Terminal(asio::io_context& io, const std::string& path, ::mode_t rights)
-    : watch(path, rights), news(io, copy_of(watch.news().descriptor())) {}
 
 PtyPort::PtyPort(asio::io_context& io, LineSessions& lines)
     : io_(io), lines_(lines), round_ended_(io, asio::steady_timer::time_point::max()) {}
 
 void PtyPort::serve(const std::vector<std::string>& paths, ::mode_t rights) {
   assert(terminals_.empty());
-  for (const std::string& path : paths) terminals_.emplace_back(io_, path, rights);
+  const auto notify = [this] { asio::post(io_, [this] { notice(); }); };
+  for (const std::string& path : paths) terminals_.emplace_back(path, rights, notify);
   lines_.add(*this);
-  for (Terminal& terminal : terminals_)
-    spawn_loop(io_.get_executor(), kPtyName, follow_news(terminal));
 }
 
 void PtyPort::close() {
   is_closing_ = true;
-  ErrorCode ignored;
-  for (Terminal& terminal : terminals_) terminal.news.close(ignored);
+  for (Terminal& terminal : terminals_) terminal.pump.close();
   round_ended_.cancel();
 }
 
-asio::awaitable<void> PtyPort::follow_news(Terminal& terminal) {
-  while (!is_closing_) {
-    const auto [error] =
-        co_await terminal.news.async_wait(asio::posix::stream_descriptor::wait_read, kAwait);
-    if (is_closing_) co_return;
-    if (error) throw boost::system::system_error(error, "eventfd");
-    vital(kPtyName, [&, this] { take_news(terminal); });
+void PtyPort::notice() {
+  vital(kPtyName, [this] {
+    round_ended_.cancel();
+    if (is_closing_) return;
+    accept_arrived();
+    for (Terminal& terminal : terminals_) report(terminal);
+  });
+}
+
+// Until a round brings nothing more: the kernel hands on at most 4095 bytes at once, and a program
+// may have come right after another one.
+asio::awaitable<void> PtyPort::settle() {
+  for (int round = 0; round < kMaxRounds; ++round) {
+    const std::uint64_t before = progress_;
+    co_await run_round();
+    co_await lines_.read_lines_of(*this);
+    if (progress_ == before) co_return;
   }
 }
 
-void PtyPort::take_news(Terminal& terminal) {
-  terminal.watch.news().take();
-  const int error = terminal.watch.error();
-  if (error != 0)
-    throw boost::system::system_error(error, boost::system::system_category(), "epoll");
-  round_ended_.cancel();
-  accept(terminal);
-  report(terminal);
-}
-
-asio::awaitable<void> PtyPort::settle() {
-  std::vector<std::pair<const PtyWatch*, std::uint64_t>> rounds;
-  for (Terminal& each : terminals_) rounds.emplace_back(&each.watch, each.watch.begin_round());
-  for (const auto& [watch, round] : rounds)
-    while (!is_closing_ && !watch->has_ended(round)) co_await round_ended_.async_wait(kAwait);
+asio::awaitable<void> PtyPort::run_round() {
+  std::vector<std::pair<PtyShared*, std::uint64_t>> rounds;
+  for (Terminal& each : terminals_)
+    rounds.emplace_back(&each.pump.shared(), each.pump.begin_round());
+  const auto has_ended = [](PtyShared& shared, std::uint64_t round) {
+    const std::scoped_lock use(shared.use);
+    return shared.rounds_ended >= round;
+  };
+  for (const auto& [shared, round] : rounds)
+    while (!is_closing_ && !has_ended(*shared, round)) co_await round_ended_.async_wait(kAwait);
 }
 
 void PtyPort::accept_arrived() {
-  for (Terminal& terminal : terminals_) accept(terminal);
+  for (Terminal& terminal : terminals_) accept(terminal.pump);
 }
 
-// A program that has left before its line began is noticed when the thread polls.
-void PtyPort::accept(Terminal& terminal) {
-  PtyPlace& place = terminal.watch.place();
-  if (is_closing_ || place.stage() != PtyPlace::Stage::kArrived) return;
+// If the line is refused, the thread sees the end of its socket pair.
+void PtyPort::accept(PtyPump& pump) {
+  if (is_closing_) return;
+  Descriptor line;
+  {
+    const std::scoped_lock use(pump.shared().use);
+    line = std::exchange(pump.shared().line, Descriptor());
+  }
+  if (!line.is_open()) return;
   ++progress_;
-  terminal.line = lines_.open(*this, std::make_unique<PtyStream>(terminal.watch),
-                              LineOpened{place.path(), LineKind::kPty});
-  if (!terminal.line) place.end_line(true);
-  terminal.watch.poll_soon();
+  lines_.open(*this, std::make_unique<PtyStream>(std::move(line), pump.shared(), progress_),
+              LineOpened{pump.path(), LineKind::kPty});
 }
 
 void PtyPort::report(Terminal& terminal) {
-  const PtyPlace& place = terminal.watch.place();
-  const bool has_failed = place.stage() == PtyPlace::Stage::kFailed;
+  PtyShared& shared = terminal.pump.shared();
+  const std::scoped_lock use(shared.use);
+  const bool has_failed = shared.failure != nullptr;
   if (has_failed == std::exchange(terminal.has_failed, has_failed)) return;
-  if (has_failed)
-    spdlog::error("{}: {}; it is tried again every second", place.path(), place.failure());
-  else
-    spdlog::info("{}: the pseudo-terminal is served again", place.path());
-}
-
-// A program whose line the server has ended sees a hangup, as if the plug of an adapter were
-// pulled: its terminal is replaced.
-void PtyPort::line_ended(LineId line, LineCloseReason reason) {
-  const auto ended = std::ranges::find(terminals_, std::optional(line), &Terminal::line);
-  if (is_closing_ || ended == terminals_.end()) return;
-  ++progress_;
-  ended->line.reset();
-  ended->watch.place().end_line(reason != LineCloseReason::kClientClosed);
-  ended->watch.poll_soon();
+  const std::string& path = terminal.pump.path();
+  if (!has_failed) return spdlog::info("{}: the pseudo-terminal is served again", path);
+  try {
+    std::rethrow_exception(shared.failure);
+  } catch (const std::exception& error) {
+    spdlog::error("{}: {}; it is tried again every second", path, error.what());
+  }
 }
 
 }  // namespace xr3

@@ -1,57 +1,53 @@
 // The pseudo-terminals of `xr3 serve --pty`: each is a serial line while a program has it open.
 #pragma once
 
-#include <boost/asio/posix/stream_descriptor.hpp>
 #include <cstdint>
+#include <functional>
 #include <list>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "server/lines/sessions.hpp"
 #include "server/net/asio.hpp"
-#include "server/pty/watch.hpp"
+#include "server/pty/pump.hpp"
 
 namespace xr3 {
 
 class PtyPort final : public LineSource {
  public:
-  /// `lines` must outlive the port.
+  /// `lines` must outlive the port, and the event loop must not run after it.
   PtyPort(asio::io_context& io, LineSessions& lines);
 
-  /// Makes a pseudo-terminal at each path, whose slave has these rights, and opens lines from now
-  /// on. Throws FileError.
+  /// Makes a pseudo-terminal at each path, whose slave has these rights, and opens a line for each
+  /// program that opens it. Throws FileError.
   void serve(const std::vector<std::string>& paths, ::mode_t rights);
   /// Opens no further line.
   void close();
 
   asio::awaitable<void> settle() override;
-  std::uint64_t progress() const override { return progress_; }
   void accept_arrived() override;
-  void line_acted(LineId) override { ++progress_; }
-  void line_ended(LineId line, LineCloseReason reason) override;
+  void line_ended(LineId, LineCloseReason) override { ++progress_; }
 
  private:
   struct Terminal {
-    Terminal(asio::io_context& io, const std::string& path, ::mode_t rights);
+    Terminal(const std::string& path, ::mode_t rights, const std::function<void()>& notify)
+        : pump(path, rights, notify) {}
 
-    PtyWatch watch;
-    asio::posix::stream_descriptor news;  ///< of the watch
-    std::optional<LineId> line;           ///< nullopt: no program is there
-    bool has_failed = false;              ///< as reported
+    PtyPump pump;
+    bool has_failed = false;  ///< as reported
   };
 
-  asio::awaitable<void> follow_news(Terminal& terminal);
-  void take_news(Terminal& terminal);
-  void accept(Terminal& terminal);
+  void notice();
+  void accept(PtyPump& pump);
   static void report(Terminal& terminal);
+  asio::awaitable<void> run_round();
 
   asio::io_context& io_;
   LineSessions& lines_;
   asio::steady_timer round_ended_;  ///< never expires; cancelled to resume those that settle
-  std::list<Terminal> terminals_;
-  std::uint64_t progress_ = 0;  ///< lines begun and ended, and actions of lines
+  std::uint64_t progress_ = 0;      ///< lines begun and ended, and reads
   bool is_closing_ = false;
+  std::list<Terminal> terminals_;
 };
 
 }  // namespace xr3

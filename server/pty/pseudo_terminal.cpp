@@ -52,15 +52,10 @@ PseudoTerminal::PseudoTerminal(::mode_t rights)
 
 PseudoTerminal::State PseudoTerminal::poll() const {
   assert(master_.is_open());
-  ::pollfd state{master(), POLLIN | POLLOUT, 0};
+  ::pollfd state{master(), POLLIN, 0};
   retry_interrupted([&state] { return ::poll(&state, 1, 0); });
   const auto has = [&state](int event) { return (state.revents & event) != 0; };
-  return {!has(POLLHUP), has(POLLIN), has(POLLOUT)};
-}
-
-bool PseudoTerminal::has_bytes() const {
-  int count = 0;
-  return ::ioctl(master(), FIONREAD, &count) == 0 && count > 0;
+  return {!has(POLLHUP), has(POLLIN)};
 }
 
 // The master reports POLLHUP only after the slave has been open once, and the slave alone can

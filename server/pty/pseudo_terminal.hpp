@@ -4,7 +4,6 @@
 
 #include <sys/types.h>
 
-#include <cstddef>
 #include <cstdint>
 #include <string>
 
@@ -25,9 +24,6 @@ class PseudoTerminal {
   /// Makes a pseudo-terminal whose slave has these rights, ready for a program. Throws FileError.
   explicit PseudoTerminal(::mode_t rights);
 
-  /// The maximum number of bytes of a program that the kernel hands on at once.
-  static constexpr std::size_t kMaxShown = 4095;
-
   int master() const { return master_.get(); }
   /// The path of the slave, such as /dev/pts/3.
   const std::string& slave() const { return slave_; }
@@ -35,13 +31,10 @@ class PseudoTerminal {
   struct State {
     bool is_open;    ///< a program has the slave open
     bool has_bytes;  ///< a read would give bytes
-    bool has_room;   ///< a write would take a byte
   };
   /// Waits until the kernel has handed on the bytes that programs have written, which takes long if
   /// the system is busy. If the terminal cannot be polled, nothing has changed: it is open.
   State poll() const;
-  /// Whether a read would give bytes now. Does not wait; a read that would give none waits.
-  bool has_bytes() const;
   /// Makes the slave as a program expects a serial port: raw, 9600 baud, neither stopped nor
   /// exclusive, and without replies that the last program has not read. Bytes from a program are
   /// kept. Throws FileError, also if the last program has left another line discipline.

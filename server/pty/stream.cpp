@@ -1,67 +1,36 @@
 #include "server/pty/stream.hpp"
 
-#include <sys/ioctl.h>
-#include <unistd.h>
-
-#include <cerrno>
-
-#include "server/files/interrupted.hpp"
+#include <algorithm>
+#include <limits>
+#include <utility>
 
 namespace xr3 {
 
-PtyStream::PtyStream(PtyWatch& watch)
-    : watch_(watch), place_(watch.place()), modes_(place_.terminal().modes()) {
-  place_.begin_line();
+PtyStream::PtyStream(Descriptor line, PtyShared& shared, std::uint64_t& progress)
+    : RobotSocket(std::move(line)), shared_(shared), progress_(progress) {
+  const std::scoped_lock use(shared_.use);
+  reach_changes();
 }
 
-bool PtyStream::is_over() const { return place_.stage() == PtyPlace::Stage::kLeft; }
+void PtyStream::reach_changes() {
+  auto& changes = shared_.changes;
+  for (; !changes.empty() && changes.front().offset <= offset_; changes.pop_front())
+    modes_ = changes.front().modes;
+}
 
-// The last bytes of a program may arrive after its hangup: the thread tells whether there are more.
+// The lock keeps the thread from adding a change, and so from writing the bytes behind it, between
+// the look at the changes and the read.
 std::size_t PtyStream::read(std::span<char> into) {
-  const auto use = place_.try_use();
-  if (!use) return 0;
-  if (is_over()) {
-    note_ended();
-    return 0;
-  }
-  const std::size_t count = read_arrived(into);
-  if (count < into.size() && place_.is_leaving()) watch_.poll_soon();
+  const std::scoped_lock use(shared_.use);
+  reach_changes();
+  const std::uint64_t alike = shared_.changes.empty() ? std::numeric_limits<std::uint64_t>::max()
+                                                      : shared_.changes.front().offset - offset_;
+  const std::size_t most = std::min<std::uint64_t>(into.size(), alike);
+  const std::size_t count = RobotSocket::read(into.first(most));
+  offset_ += count;
+  note_more(count == alike);
+  if (count > 0) ++progress_;
   return count;
-}
-
-// A read without bytes would wait for the kernel.
-std::size_t PtyStream::read_arrived(std::span<char> into) {
-  const PseudoTerminal& terminal = place_.terminal();
-  if (!terminal.has_bytes()) return 0;
-  const auto count =
-      retry_interrupted([&] { return ::read(terminal.master(), into.data(), into.size()); });
-  if (count > 0) modes_ = terminal.modes();
-  if (count >= 0) return static_cast<std::size_t>(count);
-  if (errno != EAGAIN && errno != EIO) note_lost();
-  return 0;
-}
-
-std::size_t PtyStream::unread_bytes() const {
-  int count = 0;
-  const int master = place_.terminal().master();
-  return ::ioctl(master, FIONREAD, &count) == 0 ? static_cast<std::size_t>(count) : 0;
-}
-
-std::size_t PtyStream::write(std::string_view bytes) {
-  const auto use = place_.try_use();
-  if (!use) return 0;
-  if (is_over()) return bytes.size();
-  if (was_full_ && !place_.take_room()) return 0;
-  const int master = place_.terminal().master();
-  const auto count = retry_interrupted([&] { return ::write(master, bytes.data(), bytes.size()); });
-  was_full_ = false;
-  if (count >= 0) return static_cast<std::size_t>(count);
-  if (errno != EAGAIN && errno != EIO) note_lost();
-  if (is_lost()) return 0;
-  if (errno == EIO || place_.is_leaving()) return bytes.size();
-  was_full_ = true;
-  watch_.await_room();
-  return 0;
 }
 
 std::optional<LineSettings> PtyStream::take_settings(LineId line) {

@@ -1,38 +1,31 @@
-// A pseudo-terminal as the stream of a serial line, from the first program that opens it to the
-// last that closes it.
+// The event loop's end of a pseudo-terminal as the stream of a serial line: a socket, and the
+// settings of the program that has the terminal open.
 #pragma once
 
-#include "server/lines/stream.hpp"
-#include "server/pty/watch.hpp"
+#include "server/pty/shared.hpp"
+#include "server/robot_port/socket.hpp"
 
 namespace xr3 {
 
-class PtyStream final : public LineStream {
+class PtyStream final : public RobotSocket {
  public:
-  /// Begins the line of the watch's place. The watch must outlive the stream. Precondition: a
-  /// program has arrived there.
-  explicit PtyStream(PtyWatch& watch);
+  /// Counts up `progress` with each read that gives bytes. The references must outlive the stream.
+  PtyStream(Descriptor line, PtyShared& shared, std::uint64_t& progress);
 
-  int descriptor() const override { return is_closed_ ? -1 : place_.news_descriptor(); }
+  /// Reads bytes that have the same settings.
   std::size_t read(std::span<char> into) override;
-  /// If no program has the terminal open, takes also what the terminal does not: nobody reads it.
-  std::size_t write(std::string_view bytes) override;
-  void close() override { is_closed_ = true; }
-  bool is_hung_up() const override { return place_.is_leaving(); }
-  std::size_t unread_bytes() const override;
-  /// Those with which the last bytes came.
+  /// Those of the bytes that were read last, or at the begin those of the first.
   std::optional<LineSettings> take_settings(LineId line) override;
+  void acknowledge() override {}
 
  private:
-  bool is_over() const;
-  std::size_t read_arrived(std::span<char> into);
+  void reach_changes();
 
-  PtyWatch& watch_;
-  PtyPlace& place_;
-  PtyModes modes_;  ///< when bytes were read last: those of the program that had written them
+  PtyShared& shared_;
+  std::uint64_t& progress_;
+  std::uint64_t offset_ = 0;  ///< of the next byte
+  PtyModes modes_;            ///< of the byte before, or of the first one
   PtyModes taken_;
-  bool is_closed_ = false;
-  bool was_full_ = false;  ///< the last write took nothing
 };
 
 }  // namespace xr3

@@ -1,4 +1,5 @@
-// A TCP connection of the robot port as the stream of a serial line.
+// A connected socket as the stream of a serial line: a TCP connection of the robot port, or one end
+// of a socket pair.
 #pragma once
 
 #include <string>
@@ -9,7 +10,7 @@
 
 namespace xr3 {
 
-class RobotSocket final : public LineStream {
+class RobotSocket : public LineStream {
  public:
   /// `early`: bytes of the connection that were read before; read() returns them first.
   /// Precondition: the connection is non-blocking.

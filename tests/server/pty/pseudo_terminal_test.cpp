@@ -28,36 +28,11 @@ TEST(PseudoTerminal, IsOpenWhileAProgramHasTheSlaveOpen) {
 
 TEST(PseudoTerminal, KeepsTheBytesOfAProgramThatHasLeft) {
   const PseudoTerminal terminal(0600);
-  EXPECT_FALSE(terminal.has_bytes());
   Slave(terminal).write("E?");
   EXPECT_TRUE(terminal.poll().has_bytes);
-  EXPECT_TRUE(terminal.has_bytes()) << "poll() has waited for them";
   std::array<char, 8> bytes{};
   EXPECT_EQ(::read(terminal.master(), bytes.data(), bytes.size()), 2);
   EXPECT_FALSE(terminal.poll().has_bytes);
-}
-
-TEST(PseudoTerminal, ShowsALimitedNumberOfBytesAtOnce) {
-  const PseudoTerminal terminal(0600);
-  const std::string all(5000, 'E');
-  Slave(terminal).write(all);
-  std::array<char, 5000> bytes{};
-  const auto read = [&] {
-    terminal.poll();
-    return static_cast<std::size_t>(::read(terminal.master(), bytes.data(), bytes.size()));
-  };
-  EXPECT_EQ(read(), PseudoTerminal::kMaxShown);
-  EXPECT_EQ(read(), all.size() - PseudoTerminal::kMaxShown);
-}
-
-TEST(PseudoTerminal, HasRoomUntilItIsFull) {
-  const PseudoTerminal terminal(0600);
-  const Slave slave(terminal);
-  EXPECT_TRUE(terminal.poll().has_room);
-  const std::string replies(1024, ' ');
-  while (::write(terminal.master(), replies.data(), replies.size()) > 0) {
-  }
-  EXPECT_FALSE(terminal.poll().has_room);
 }
 
 TEST(PseudoTerminal, PrepareDropsRepliesAndKeepsBytes) {

@@ -1,4 +1,4 @@
-// A program that has a pseudo-terminal open, and a wait for news of the server's side.
+// A program that has a pseudo-terminal open, and a wait for the thread of the server's side.
 #pragma once
 
 #include <fcntl.h>
@@ -8,7 +8,10 @@
 #include <unistd.h>
 
 #include <array>
+#include <chrono>
+#include <condition_variable>
 #include <filesystem>
+#include <mutex>
 #include <string>
 
 #include "server/pty/pseudo_terminal.hpp"
@@ -36,10 +39,18 @@ class Slave {
     const ssize_t count = ::read(file_, bytes.data(), bytes.size());
     return count < 0 ? "" : std::string(bytes.data(), static_cast<std::size_t>(count));
   }
-  /// Whether the other side has gone.
-  bool is_hung_up() const {
+  /// Waits until the other side has gone. Returns false after a deadline.
+  bool await_hangup() const {
     ::pollfd state{file_, 0, 0};
-    return ::poll(&state, 1, 0) == 1 && (state.revents & POLLHUP) != 0;
+    return ::poll(&state, 1, 20'000) == 1 && (state.revents & POLLHUP) != 0;
+  }
+  /// Waits for this many bytes, or until the other side has gone.
+  std::string await(std::size_t count) const {
+    std::string all;
+    ::pollfd state{file_, POLLIN, 0};
+    while (all.size() < count && ::poll(&state, 1, 20'000) == 1 && (state.revents & POLLIN) != 0)
+      all += read();
+    return all;
   }
   void set(speed_t speed, tcflag_t local) const {
     struct ::termios modes {};
@@ -73,21 +84,32 @@ class PtyFolder {
        testing::UnitTest::GetInstance()->current_test_info()->name());
 };
 
-/// Waits until a signal of the thread is given, and takes it. Returns false after a deadline.
-inline bool take_signal(int descriptor) {
-  constexpr int kDeadlineMs = 20'000;
-  ::pollfd state{descriptor, POLLIN, 0};
-  if (::poll(&state, 1, kDeadlineMs) != 1) return false;
-  std::uint64_t count = 0;
-  return ::read(descriptor, &count, sizeof count) == sizeof count;
-}
+/// Counts the calls of a thread, and waits for them.
+class Notices {
+ public:
+  void give() {
+    const std::scoped_lock use(use_);
+    ++count_;
+    given_.notify_all();
+  }
+  /// Waits until the predicate holds, which it checks after each call. Returns false after a
+  /// deadline.
+  template <class Predicate>
+  bool await(const Predicate& holds) {
+    std::unique_lock use(use_);
+    for (std::size_t seen = count_;; seen = count_) {
+      use.unlock();
+      if (holds()) return true;
+      use.lock();
+      if (!given_.wait_for(use, std::chrono::seconds(20), [&] { return count_ != seen; }))
+        return false;
+    }
+  }
 
-/// Waits for signals until something is so. Returns false after a deadline.
-template <class IsSo>
-bool await(int descriptor, const IsSo& is_so) {
-  while (!is_so())
-    if (!take_signal(descriptor)) return false;
-  return true;
-}
+ private:
+  std::mutex use_;
+  std::condition_variable given_;
+  std::size_t count_ = 0;
+};
 
 }  // namespace xr3::test
