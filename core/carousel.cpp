@@ -6,8 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/placement.hpp"
-#include "core/workcell_edit.hpp"
+#include "core/workcell.hpp"
 
 namespace xr3 {
 namespace {

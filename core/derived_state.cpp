@@ -4,7 +4,7 @@
 
 #include "core/carousel.hpp"
 #include "core/coupling.hpp"
-#include "core/faults/faults.hpp"
+#include "core/faults/effects.hpp"
 #include "core/grasp.hpp"
 #include "core/kinematics.hpp"
 #include "core/motor.hpp"

@@ -5,7 +5,7 @@
 #include "core/carousel.hpp"
 #include "core/command.hpp"
 #include "core/coupling.hpp"
-#include "core/faults/faults.hpp"
+#include "core/faults/effects.hpp"
 #include "core/faults/motor_faults.hpp"
 #include "core/grasp.hpp"
 #include "core/kinematics.hpp"

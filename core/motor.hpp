@@ -13,11 +13,6 @@ namespace xr3 {
 
 inline constexpr int kPhasePerCount = 1000;
 
-/// The motor has counts to go and is not blocked.
-inline bool is_running(const MotorState& motor) {
-  return motor.error != 0 && motor.blocked == Blocked::kNo;
-}
-
 /// Adds counts (-128...127) to the error counter in 8-bit arithmetic. Returns whether it wrapped.
 bool add_to_error(MotorState& motor, int counts);
 

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <cstdlib>
 #include <limits>
 
 #include "core/carousel.hpp"
-#include "core/trig.hpp"
+#include "core/workcell.hpp"
 
 namespace xr3 {
 namespace {
@@ -21,16 +20,6 @@ struct Placement {
   bool is_in_carousel = false;  ///< whether the block overlaps the carousel
   char surface = 'A';           ///< the label of the carousel if the block is above it
 };
-
-SinCos direction_of(const Block& block) { return sin_cos_deg(degrees(block.yaw_udeg)); }
-SinCos a_quarter_on(const SinCos& direction) { return {direction.cos, -direction.sin}; }
-
-/// Half the extent of the footprint in a horizontal direction, in mm.
-double reach_mm(const Block& block, const SinCos& yaw, const SinCos& direction) {
-  const double along = yaw.cos * direction.cos + yaw.sin * direction.sin;
-  const double across = yaw.cos * direction.sin - yaw.sin * direction.cos;
-  return (mm(block.size_um.x) * std::abs(along) + mm(block.size_um.y) * std::abs(across)) / 2;
-}
 
 /// A quick test that is true only for footprints that do not overlap.
 bool are_clearly_apart(const Block& a, const Block& b) {
@@ -106,22 +95,6 @@ Warning air_warning(const Block& block, const Placement& placement, Micrometres 
 }
 
 }  // namespace
-
-// The separating axis test: convex footprints overlap by the least of their overlaps in the
-// directions of their sides.
-Micrometres footprint_overlap_um(const Block& a, const Block& b) {
-  const double dx = mm(b.centroid_um.x - a.centroid_um.x);
-  const double dy = mm(b.centroid_um.y - a.centroid_um.y);
-  const SinCos yaw_a = direction_of(a);
-  const SinCos yaw_b = direction_of(b);
-  Micrometres least = std::numeric_limits<Micrometres>::max();
-  for (const SinCos& side : {yaw_a, a_quarter_on(yaw_a), yaw_b, a_quarter_on(yaw_b)}) {
-    const double between = std::abs(dx * side.cos + dy * side.sin);
-    const double reach = reach_mm(a, yaw_a, side) + reach_mm(b, yaw_b, side);
-    least = std::min(least, micrometres(reach - between));
-  }
-  return least;
-}
 
 Micrometres height_above_support_um(const Model& model, const State& state, std::size_t block) {
   return bottom_um(state.blocks[block]) - placement_of(model, state, block).support_um;

@@ -9,21 +9,6 @@
 
 namespace xr3 {
 
-/// Blocks that are apart, or overlap, by at most this count as touching. Joints stop at whole
-/// counts: with the three robots the tip is up to 0.7 mm higher or lower than a program computed,
-/// and up to 0.9 mm beside it. The errors of two blocks that should touch add up.
-inline constexpr Micrometres kContactToleranceUm = 2'000;
-
-/// z of the underside and of the top of an upright block.
-inline Micrometres bottom_um(const Block& block) {
-  return block.centroid_um.z - block.size_um.z / 2;
-}
-inline Micrometres top_um(const Block& block) { return bottom_um(block) + block.size_um.z; }
-
-/// The overlap of the footprints of two upright blocks: the shortest horizontal distance by which
-/// one of them would have to move. 0 if they touch, negative if they are apart.
-Micrometres footprint_overlap_um(const Block& a, const Block& b);
-
 /// The height of the underside of the block above its support: another block, the carousel or the
 /// work surface. Precondition: the block exists and is not held.
 Micrometres height_above_support_um(const Model& model, const State& state, std::size_t block);

@@ -2,7 +2,6 @@
 // costs a pointer, so a snapshot, a checkpoint and a client's view need no copy of them.
 #pragma once
 
-#include <atomic>
 #include <cstddef>
 #include <initializer_list>
 #include <memory>
@@ -39,7 +38,7 @@ class SharedVector {
     if (!values_ || values_.use_count() > 1)
       values_ = std::make_shared<std::vector<Value>>(all());
     else
-      std::atomic_thread_fence(std::memory_order_acquire);  // the last reads of another thread
+      synchronise();
     return *values_;
   }
 
@@ -50,6 +49,10 @@ class SharedVector {
   }
 
  private:
+  /// Orders changes after the last reads of other threads: the end of a copy acquires what they
+  /// released, which use_count() does not.
+  void synchronise() const { const auto copy = values_; }
+
   static const std::vector<Value>& none() {
     static const std::vector<Value> empty;
     return empty;

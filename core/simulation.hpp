@@ -24,6 +24,7 @@
 #include "core/command.hpp"
 #include "core/event.hpp"
 #include "core/execute.hpp"
+#include "core/faults/effects.hpp"
 #include "core/faults/faults.hpp"
 #include "core/faults/line_faults.hpp"
 #include "core/home.hpp"

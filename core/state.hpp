@@ -26,6 +26,11 @@ struct MotorState {
   bool operator==(const MotorState&) const = default;
 };
 
+/// The motor has counts to go and is not blocked.
+inline bool is_running(const MotorState& motor) {
+  return motor.error != 0 && motor.blocked == Blocked::kNo;
+}
+
 /// Elements beyond the model's motors keep their initial value.
 using Motors = std::array<MotorState, kMaxMotors>;
 
@@ -60,8 +65,8 @@ struct InputOutput {
 /// was grasped; block_pose() in grasp.hpp computes its current pose from that and the joints.
 struct Held {
   std::uint32_t block = 0;  ///< index in State::blocks
-  int quarter_turns =
-      0;  ///< turns of the block relative to the jaws: yaw = net roll + 90 deg * this
+  /// Turns of the block relative to the jaws: yaw = net roll + 90 deg * this.
+  int quarter_turns = 0;
   Positions grasped_at{};  ///< joint positions when the block was grasped
   bool operator==(const Held&) const = default;
 };
@@ -114,5 +119,10 @@ struct State {
   MotorState& motor(int index) { return motors[static_cast<std::size_t>(index)]; }
   const MotorState& motor(int index) const { return motors[static_cast<std::size_t>(index)]; }
 };
+
+/// Whether the jaws hold this block.
+inline bool is_held(const State& state, std::size_t block) {
+  return state.held && state.held->block == block;
+}
 
 }  // namespace xr3

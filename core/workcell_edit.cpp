@@ -18,10 +18,6 @@ std::optional<std::size_t> find_block(const State& state, std::string_view name)
   return static_cast<std::size_t>(found - state.blocks.begin());
 }
 
-bool is_held(const State& state, std::size_t block) {
-  return state.held && state.held->block == block;
-}
-
 void remove_block(const Model& model, State& state, std::size_t block) {
   assert(block < state.blocks.size() && !is_held(state, block));
   std::vector<Block>& blocks = state.blocks.edit();

@@ -13,8 +13,6 @@ namespace xr3 {
 /// Index of the block with this name, or nullopt.
 std::optional<std::size_t> find_block(const State& state, std::string_view name);
 
-bool is_held(const State& state, std::size_t block);
-
 /// Removes a block. The others keep their order. Precondition: the block exists and is not held.
 void remove_block(const Model& model, State& state, std::size_t block);
 

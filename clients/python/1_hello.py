@@ -33,7 +33,7 @@ def ask(question):
     return answer[0]
 
 
-# How many counts does the shoulder, joint E, still have to go? 32, the code of a blank, is added to
+# Ask how many counts the shoulder, joint E, still has to go. 32, the code of a blank, is added to
 # the answer to make it printable: a blank means 0 counts to go, "!" means 1, and so on.
 reply = ask(b"E?")
 print(f"E? is answered by {reply}: {reply - 32} counts to go")

@@ -39,7 +39,7 @@ print("E+50")
 robot.send("E+50\r")
 wait_for("E")
 
-# And back again.
+# Move back.
 print("E-50")
 robot.send("E-50\r")
 wait_for("E")

@@ -8,7 +8,7 @@ import sys
 
 import xr3
 
-# Where the switches close, in counts from the soft home: upper arm upright, forearm level, tool
+# Counts at which the switches close, from the soft home: upper arm upright, forearm level, tool
 # down. Seen from there each is open before this count, and closed from it on: for a few dozen
 # counts on a real arm, for longer in the simulator. The jaws, joint A, come first: they show how a
 # closed switch reads. The elbow follows, since it lifts the hand off the table.
@@ -72,7 +72,7 @@ def find_near_edge(joint):
 
 # The open jaws are at the end of their travel, and on their switch. It opens when they close.
 changes("A", -STEP, FAR)
-closed = read_switch("A")  # what a closed switch reads, 0 or 1
+closed = read_switch("A")  # the reading of a closed switch, 0 or 1
 
 # A shoulder on its switch may lean far back: it comes forward before the forearm moves.
 if read_switch("E") == closed:

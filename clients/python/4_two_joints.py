@@ -37,7 +37,7 @@ while f > 0 or e > 0:
 check(f, e)
 print("both are there")
 
-# And back again. wait() is the loop of example 2, for one joint after the other.
+# Move back. wait() is the loop of example 2, for one joint after the other.
 robot.send("F-40 E-80\r")
 check(robot.wait("F"), robot.wait("E"))
 print("both are back")

@@ -35,7 +35,7 @@ robot.go(AT_BLOCK)
 # Command the jaws to close much further than the block permits. They stop at the block, and the
 # remaining counts give its width: A is 50.8 mm open at count 0, and a count is 0.79375 mm.
 robot.send("A+90\r")
-left = robot.wait("A")  # also cancels the rest (AX): the jaws would keep pressing
+left = robot.wait("A")  # cancels the rest, too (AX): the jaws would keep pressing
 robot.at["A"] += 90 - left  # robot.at holds the motor positions, as tracked by go()
 if robot.at["A"] >= SHUT:
     robot.go(ABOVE_BLOCK)  # back to the start position

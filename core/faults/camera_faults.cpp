@@ -4,7 +4,7 @@
 #include <span>
 
 #include "core/faults/chance.hpp"
-#include "core/faults/faults.hpp"
+#include "core/faults/effects.hpp"
 
 namespace xr3 {
 namespace {

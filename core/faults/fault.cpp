@@ -51,4 +51,11 @@ std::uint64_t Fault::limit() const {
   return is_once ? 1 : std::numeric_limits<std::uint64_t>::max();
 }
 
+bool lasts(const Fault& fault) { return traits_of(fault.kind).manner == FaultManner::kLasting; }
+
+bool is_timed(const Fault& fault) {
+  return traits_of(fault.kind).manner == FaultManner::kOnce ||
+         (fault.kind == FaultKind::kLineDisconnected && fault.at_tick);
+}
+
 }  // namespace xr3

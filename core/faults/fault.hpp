@@ -112,6 +112,11 @@ struct Fault {
   std::uint64_t limit() const;
 };
 
+/// Whether it acts as long as it covers the tick.
+bool lasts(const Fault& fault);
+/// Whether it acts at its first tick, without an occasion.
+bool is_timed(const Fault& fault);
+
 /// The contents of a fault file.
 struct FaultPlan {
   std::uint64_t seed = 0;

@@ -22,9 +22,6 @@
 
 namespace xr3 {
 
-/// Events of effects of one fault in a simulated second. More effects only count.
-inline constexpr std::uint32_t kMaxFaultNews = 64;
-
 /// Replaces all faults by those of a plan, without a history. Emits what begins at once.
 void install_faults(const Model& model, State& state, const FaultPlan& plan, Events& events);
 
@@ -38,20 +35,7 @@ bool clear_faults(const Model& model, State& state, std::string_view name, Event
 /// The fault with this name; nullptr if there is none.
 const FaultState* find_fault(const State& state, std::string_view name);
 
-/// Recomputes the derived part of the faults, for a state from outside. Invariant: it changes no
-/// state that was reached by step() and the functions above.
-void refresh_faults(const Model& model, State& state);
-
-/// Begins and ends the faults at their ticks. Call in each tick that is a stop.
+/// Begins and ends the faults for which it is time. To be called in each tick that is a stop.
 void pass_fault_stop(const Model& model, State& state, Events& events);
-
-/// Counts an effect and appends its event. `at`: see FaultNews.
-void add_effect(const Model& model, State& state, FaultState& fault, char label, std::int64_t at,
-                Events& events);
-
-/// Whether a fault has an effect now, on an occasion with these two numbers (see chance.hpp). For
-/// faults that have effects one by one.
-bool acts_on(const State& state, const FaultState& fault, std::uint64_t first,
-             std::uint64_t second);
 
 }  // namespace xr3

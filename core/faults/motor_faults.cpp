@@ -1,7 +1,7 @@
 #include "core/faults/motor_faults.hpp"
 
 #include "core/faults/chance.hpp"
-#include "core/faults/faults.hpp"
+#include "core/faults/effects.hpp"
 #include "core/grasp.hpp"
 
 namespace xr3 {

@@ -4,7 +4,6 @@
 
 #include "core/event.hpp"
 #include "core/model.hpp"
-#include "core/motor.hpp"
 #include "core/state.hpp"
 
 namespace xr3 {

@@ -117,8 +117,8 @@ struct LimitExcess {
 
 struct PoseError {
   double mm = 0;  ///< distance of the tip
-  double deg =
-      0;  ///< kPose: angle of the rotation; kPointing: the larger of approach and last joint
+  /// kPose: angle of the rotation; kPointing: the larger of approach and last joint.
+  double deg = 0;
 };
 
 struct InverseSolution {

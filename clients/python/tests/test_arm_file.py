@@ -26,7 +26,7 @@ SKEW = ((0, 600, 30, -90), (-90, 50, 430, 0), (90, 160, 20, 90), (0, 430, 40, -9
 
 
 def widened(robot):
-    """The same robot without a protected region, and with joints that turn by more than a turn: from
+    """A copy of the robot without a protected region, and with joints that turn by more than a turn: from
     -165 to 195 degrees of each angle at the soft home, so that half a turn has one sign."""
     robot = copy.deepcopy(robot)
     del robot["protected_region"]
@@ -37,7 +37,7 @@ def widened(robot):
 
 
 def in_inches(robot):
-    """The same robot, with lengths in inches."""
+    """A copy of the robot with lengths in inches."""
     robot = copy.deepcopy(robot)
     robot["length_unit"] = "inch"
     for joint in robot["joints"]:
@@ -220,7 +220,7 @@ class AnyArm(WithFiles):
             self.assertTrue(monitor.block("red")["held"])
 
     def test_a_switch_that_is_closed_at_the_soft_home(self):
-        """Of its two edges, home() finds the one that the direction away from the soft home gives."""
+        """home() finds the edge of a switch that the direction away from the soft home gives."""
         robot = copy.deepcopy(RHINO)
         for joint, switch in zip(robot["joints"], ({"position": 0, "width": 9}, {"position": -30, "width": 301},
                                                    {"position": 10, "width": 30})):

@@ -416,7 +416,7 @@ class NobodyThere(unittest.TestCase):
                 Robot(port=port)
 
     def test_the_port_of_connect(self):
-        """It stands above that of the command line."""
+        """An argument takes precedence over the command line."""
         with Server(*FAST) as server, mock.patch.object(sys, "argv", ["program", "localhost", "1"]), \
                 xr3.connect(port=server.robot_port) as robot:
             self.assertEqual(0, robot.to_go("E"))
@@ -440,7 +440,7 @@ class Versions(unittest.TestCase):
     """connect() compares the package with the server where a monitor port answers."""
 
     def connect(self, server, monitor_port):
-        """What connect() writes to standard error."""
+        """The text that connect() writes to standard error."""
         said = io.StringIO()
         with contextlib.redirect_stderr(said), mock.patch.object(sys, "argv", ["program"]), \
                 mock.patch.dict(os.environ, XR3_MONITOR_PORT=str(monitor_port)), \

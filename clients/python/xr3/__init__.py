@@ -12,7 +12,8 @@ blocks in the camera's picture.
 """
 
 from xr3.arms import ADEPT_ONE, ARMS, INTELLEDEX_660, RHINO_XR3
-from xr3.kinematics import Arm, Jaws, Joint, Pose, Switch, Unreachable
+from xr3.joints import Jaws, Joint, Pose, Switch, Unreachable
+from xr3.kinematics import Arm
 from xr3.monitor import Monitor, MonitorError
 from xr3.robot import Robot, RobotError, connect
 from xr3.vision import Camera, Patch, Picture

@@ -7,10 +7,10 @@ import json
 import math
 import os
 from pathlib import Path
-from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, TypeVar, Union
+from typing import Any, Callable, Dict, List, Optional, Protocol, Sequence, Tuple, TypeVar, Union
 
 from xr3 import inverse
-from xr3.kinematics import IDENTITY, Arm, Jaws, Joint, Pose, Switch, Ways
+from xr3.joints import IDENTITY, Jaws, Joint, Pose, Switch, Ways
 
 Inverse = Callable[[Sequence[Joint], Pose], Ways]
 
@@ -27,23 +27,31 @@ SIGNS = {1: 1, -1: -1}
 Value = TypeVar("Value")
 
 
-def load(file: Union[str, "os.PathLike[str]"]) -> Arm:
-    """See Arm.load()."""
+class _Stands(Protocol):
+    @property
+    def is_upright(self) -> bool: ...
+
+
+Made = TypeVar("Made", bound=_Stands)
+
+
+def load(file: Union[str, "os.PathLike[str]"], make: Callable[..., Made]) -> Made:
+    """See Arm.load(). `make` is Arm."""
     path = Path(file)
     try:
         text = path.read_text(encoding="utf-8")
         robot = json.loads("\n".join("" if line.lstrip().startswith("*") else line
                                      for line in text.split("\n")))
-        return _arm(path.stem, robot)
+        return _arm(path.stem, robot, make)
     except KeyError as error:
         why = f"the member {error.args[0]!r} is missing"
-    except (ArithmeticError, IndexError, TypeError, ValueError) as error:  # of json, too
+    except (ArithmeticError, IndexError, TypeError, ValueError) as error:  # json raises some of them, too
         why = str(error)
     raise ValueError(f"{path} is no robot file in JSON: {why}. `xr3 check` lists all errors of a robot "
                      "file; `xr3 convert` makes JSON of the paper's plain form")
 
 
-def _arm(name: str, robot: Dict[str, Any]) -> Arm:
+def _arm(name: str, robot: Dict[str, Any], make: Callable[..., Made]) -> Made:
     unit = _choice(robot, "length_unit", {"mm": 1.0, "inch": 25.4})
     joints = tuple(_joint(each, unit) for each in robot["joints"])
     labels = [joint.label for joint in joints]
@@ -64,12 +72,12 @@ def _arm(name: str, robot: Dict[str, Any]) -> Arm:
     if is_on_slide:
         homing, near_first = [*(k + 1 for k in homing), 0], [k + 1 for k in near_first]
     carousel = _carousel(robot)
-    arm = Arm(name=name, joints=joints, jaws=_jaws(robot["tool"], unit), inverse=way,
-              homing="".join(labels[k] for k in homing) + (carousel.label if carousel else ""),
-              near_first="".join(labels[k] for k in near_first),
-              protected=(region["radius"] * unit, region["height"] * unit),
-              coupling=tuple((j - 1, abs(k) - 1, 1 if k > 0 else -1) for j, k in coupling),
-              mount=mount, is_on_slide=is_on_slide, carousel=carousel)
+    arm = make(name=name, joints=joints, jaws=_jaws(robot["tool"], unit), inverse=way,
+               homing="".join(labels[k] for k in homing) + (carousel.label if carousel else ""),
+               near_first="".join(labels[k] for k in near_first),
+               protected=(region["radius"] * unit, region["height"] * unit),
+               coupling=tuple((j - 1, abs(k) - 1, 1 if k > 0 else -1) for j, k in coupling),
+               mount=mount, is_on_slide=is_on_slide, carousel=carousel)
     if not arm.is_upright:
         raise ValueError("the base axis of the arm does not point up")
     return arm

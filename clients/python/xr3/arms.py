@@ -5,7 +5,8 @@ inverse kinematics has a closed form, see inverse.py.
 from typing import Dict
 
 from xr3.inverse import five_axis, scara, six_axis
-from xr3.kinematics import Arm, Jaws, Joint, Switch
+from xr3.joints import Jaws, Joint, Switch
+from xr3.kinematics import Arm
 
 RHINO_XR3 = Arm(
     name="rhino-xr3",

@@ -7,7 +7,7 @@ import math
 import random
 from typing import List, Sequence, Tuple
 
-from xr3.kinematics import Joint, Matrix, Pose, Unreachable, Ways, product, two_links
+from xr3.joints import Joint, Matrix, Pose, Unreachable, Ways, product, two_links
 
 Joints = Sequence[Joint]
 

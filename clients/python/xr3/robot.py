@@ -14,7 +14,8 @@ from typing import Callable, List, Optional, Sequence, Type, Union
 import xr3
 from xr3.address import check_type, connect as connect_line
 from xr3.arms import RHINO_XR3
-from xr3.kinematics import Arm, Counts, Pose, Unreachable, check_counts, check_pose
+from xr3.joints import Pose, Unreachable, check_pose
+from xr3.kinematics import Arm, Counts, check_counts
 from xr3.monitor import server_version
 from xr3.vision import CAMERAS, Camera, Picture
 
@@ -149,7 +150,7 @@ class Robot:
         self.send(f"{label}{counts:+d}\r")
 
     def to_go(self, label: str) -> int:
-        """How many counts the joint still has to go, 0 to 128, without the direction. A Mark III
+        """The counts that the joint still has to go, 0 to 128, without the direction. A Mark III
         answers with seven bits, so that 128 counts look like 0 there."""
         self._check(label)
         byte = self.ask(f"{label}?")
