@@ -15,7 +15,7 @@
 namespace xr3::test {
 
 struct StreamStep {
-  enum class Kind : std::uint8_t { kRead, kReadEnd, kReadError, kWrite, kWriteError };
+  enum class Kind : std::uint8_t { kRead, kReadEnd, kReadError, kWrite, kWriteError, kFull };
   Kind kind;
   std::string bytes = {};  ///< that are read, or accepted by the write
 };
@@ -25,6 +25,8 @@ inline StreamStep accepts(std::string bytes) {
   return {StreamStep::Kind::kWrite, std::move(bytes)};
 }
 inline StreamStep reads_end() { return {StreamStep::Kind::kReadEnd}; }
+/// The last step: accepts no byte any more.
+inline StreamStep is_full() { return {StreamStep::Kind::kFull}; }
 inline StreamStep fails_to_read() { return {StreamStep::Kind::kReadError}; }
 inline StreamStep fails_to_write() { return {StreamStep::Kind::kWriteError}; }
 
@@ -57,7 +59,7 @@ class ScriptedStream final : public LineStream {
   std::size_t write(std::string_view bytes) override {
     EXPECT_FALSE(is_closed_) << "write after close";
     if (next_is(StreamStep::Kind::kWriteError)) note_lost();
-    if (is_lost()) return 0;
+    if (is_lost() || next_is(StreamStep::Kind::kFull)) return 0;
     EXPECT_TRUE(next_is(StreamStep::Kind::kWrite)) << "a write of " << bytes;
     if (!next_is(StreamStep::Kind::kWrite)) return bytes.size();
     const std::string accepted = script_.front().bytes;

@@ -16,6 +16,7 @@ namespace {
 
 using std::chrono::milliseconds;
 using test::accepts;
+using test::is_full;
 using test::reads;
 using test::reads_end;
 using test::StreamStep;
@@ -121,9 +122,9 @@ TEST_F(LineSessionsTest, AStreamThatHasEndedClosesItsLine) {
   EXPECT_EQ(source_.ended, (std::vector{std::pair(line, LineCloseReason::kClientClosed)}));
 }
 
-TEST_F(LineSessionsTest, AtTheEndRepliesAreSentUntilTheDeadline) {
-  open({reads("E?"), accepts(""), accepts(" ")});
-  const LineId unread = open({reads("E?"), accepts(""), accepts("")});
+TEST_F(LineSessionsTest, AtTheEndALineWaitsForItsClientUntilTheDeadline) {
+  open({reads("E?"), accepts(" ")});
+  const LineId unread = open({reads("E?"), is_full()});
   read_arrived();
   lines_.close();
   EXPECT_EQ(source_.ended.size(), 1U);
