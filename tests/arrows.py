@@ -1,19 +1,22 @@
 #!/usr/bin/python3
-"""Project rules that a compiler does not check: the includes that each library may have, the maximum length
-of a file and of its lines, the maximum size of a folder, that each type of a header has a name of its own, that what
-commands print is escaped, and that no file names a path outside the project. Prints every breach as file:line."""
+"""Project rules that a compiler does not check: the includes that each library may have, that the folders of a library
+do not include each other in a circle, the maximum length of a file and of its lines, the maximum size of a folder, that
+each type has a name of its own, that what commands print is escaped, and that no file names a path outside the project.
+Prints every breach as file:line."""
 
 import os
 import re
 import subprocess
 import sys
 
+import comments
+
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 MAX_LINES = 400
 MAX_COLUMNS = 100
 MAX_ROOMS = 32  # a room is a subfolder, or a header with its source
 
-# For each library: the libraries it may include, the start of every <path/> with a folder in it (None:
+# For each library: the libraries it may include, the start of every <path/> with a folder in it (None if
 # any), and standard headers it may not have. core <- protocol <- cell <- server <- cli, protocol <- tools <- server.
 NO_IO = {"thread", "mutex", "shared_mutex", "condition_variable", "future", "iostream", "fstream",
          "chrono", "ctime", "filesystem"}
@@ -44,8 +47,24 @@ NOT_IN_LIBCXX = re.compile(r"\b(?:std::ranges::\w+\(|(?:std|ranges)::views::)")
 PRINTS = re.compile(r"\bstd::c(?:out|err|log) <<")
 PRINTERS = {"server/print.cpp", "cli/term/console.cpp", "cli/term/pipe.cpp"}
 
-# A type that the namespace of a header defines; nested types belong to their class.
-TYPE = re.compile(r"^(?:struct|class|enum class) ([A-Z]\w*)(?: final)?(?: : [^;{]*)?\s*\{|^using ([A-Z]\w*) =", re.MULTILINE)
+# A type that is defined anywhere, nested or in a source; and an alias in a namespace.
+TYPE = re.compile(r"^\s*(?:template\s*<[^>]*>\s*)?(?:struct|class|enum(?: class)?) ([A-Z]\w*)(?: final)?\s*(?::(?!:)[^;{]*)?\{"
+                  r"|^(?:template\s*<[^>]*>\s*)?using ([A-Z]\w*) =", re.MULTILINE)
+
+# To be emptied. Names that several types have, and how many have each. An entry that is no longer right is a breach, so
+# that the list only shrinks.
+SHARED_TYPE_NAMES_TODAY = {
+    "Asked": 2, "Bytes": 2, "Clock": 3, "Column": 2, "Command": 2, "Device": 2, "End": 2, "Entry": 3,
+    "Fault": 2, "Form": 2, "Health": 2, "Joint": 2, "KeyReader": 2, "Kind": 6, "Letters": 2, "Limits": 2,
+    "Member": 3, "Mode": 4, "Options": 2, "Outcome": 4, "Page": 2, "Place": 2, "Problem": 2,
+    "Read": 2, "Reading": 3, "Replies": 2, "Row": 2, "Rows": 2, "Run": 2, "Span": 3, "Stage": 2,
+    "State": 2, "Terminal": 2, "Waiting": 2, "Wire": 2, "Words": 2,
+}
+
+# To be emptied. Folders that include each other in a circle; a circle that is smaller now is a breach, too.
+FOLDER_CIRCLES_TODAY = (
+    ("server/cells", "server/monitor_port", "server/resources"),
+)
 
 CONSTANT = re.compile(r"^(?:inline )?(?:constexpr|const)\b[^()=;{]*?\b(k[A-Z]\w*)(?= =|\{|\[)", re.MULTILINE)
 
@@ -132,16 +151,72 @@ def hidden_constants(texts):
                     yield f"{path}: {name} has the name of a constant in {shared[name]}"
 
 
-def doubled_types(texts):
-    """Types of two headers that have one name."""
-    owners = {}
+def is_source(path):
+    return path.endswith((".cpp", ".hpp")) and path.split("/")[0] in RULES
+
+
+def shared_type_names(texts):
+    """Names that several types of the libraries have, nested types and those of sources included."""
+    places = {}
     for path, text in texts.items():
-        if path.endswith(".hpp") and path.startswith(tuple(library + "/" for library in RULES)):
-            for match in TYPE.finditer(text):
-                owners.setdefault(match[1] or match[2], set()).add(path)
-    for name, paths in sorted(owners.items()):
-        if len(paths) > 1:
-            yield f"{' and '.join(sorted(paths))} each define a type {name}"
+        for match in TYPE.finditer(text) if is_source(path) else ():
+            line = text.count("\n", 0, match.end()) + 1
+            places.setdefault(match[1] or match[2], []).append(f"{path}:{line}")
+    shared = {name: where for name, where in places.items() if len(where) > 1}
+    for name in sorted(shared.keys() | SHARED_TYPE_NAMES_TODAY.keys()):
+        where, allowed = shared.get(name, []), SHARED_TYPE_NAMES_TODAY.get(name, 0)
+        if len(where) > allowed:
+            yield f"{len(where)} types have the name {name}: {', '.join(where)}"
+        elif len(where) < allowed:
+            yield (f"tests/arrows.py: SHARED_TYPE_NAMES_TODAY has \"{name}\": {allowed}; "
+                   + (f"there are {len(where)}" if where else "remove it"))
+    print(f"{len(shared)} names that several types have, {sum(map(len, shared.values()))} types")
+
+
+def folder_arrows(texts):
+    """The arrows between the folders of each library: folder -> {folder: its first include}. A folder and the files right
+    above or below it in the tree are one place."""
+    arrows = {}
+    for path, text in texts.items():
+        mine = os.path.dirname(path)
+        for number, line in enumerate(text.splitlines() if is_source(path) else (), 1):
+            include = INCLUDE.match(line)
+            if not include or not include[1] or include[1].split("/")[0] != path.split("/")[0]:
+                continue
+            other = os.path.dirname(include[1])
+            if mine not in (other, os.path.dirname(other)) and other != os.path.dirname(mine):
+                arrows.setdefault(mine, {}).setdefault(other, f'{path}:{number}: includes "{include[1]}"')
+    return arrows
+
+
+def folder_circles(arrows):
+    """The largest sets of folders each of which leads to all others of its set, as sorted tuples."""
+    reached = {}
+    for start in arrows:
+        ahead, reached[start] = list(arrows[start]), set()
+        while ahead:
+            folder = ahead.pop()
+            if folder not in reached[start]:
+                reached[start].add(folder)
+                ahead.extend(arrows.get(folder, ()))
+    return sorted({tuple(sorted(other for other in reached[start] if start in reached.get(other, ())))
+                   for start in reached if start in reached[start]})
+
+
+def circular_folders(texts):
+    """Circles of folders that are not allowed, each with its arrows, and allowed ones that are no more."""
+    arrows = folder_arrows(texts)
+    circles = folder_circles(arrows)
+    for circle in circles:
+        if circle in FOLDER_CIRCLES_TODAY:
+            continue
+        yield f"these folders include each other in a circle: {', '.join(circle)}"
+        for folder in circle:
+            yield from (f"  {first}" for other, first in arrows[folder].items() if other in circle)
+    for circle in FOLDER_CIRCLES_TODAY:
+        if circle not in circles:
+            yield f"tests/arrows.py: FOLDER_CIRCLES_TODAY has a circle that is no more: {', '.join(circle)}"
+    print(f"{len(circles)} circles of folders: {'; '.join(', '.join(circle) for circle in circles)}")
 
 
 def named_files_that_are_missing(texts):
@@ -163,8 +238,10 @@ def main():
             texts[path] = file.read()
         found.extend(breaches(path, texts[path]))
     found.extend(hidden_constants(texts))
-    found.extend(doubled_types(texts))
+    found.extend(shared_type_names(texts))
+    found.extend(circular_folders(texts))
     found.extend(named_files_that_are_missing(texts))
+    found.extend(comments.breaches(texts))
     for breach in found:
         print(breach)
     print(f"{len(files)} files read, {len(found)} violations")
