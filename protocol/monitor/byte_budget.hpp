@@ -1,6 +1,6 @@
 // The memory that the growing parts of all cells, such as their rings, may have together. When the
-// budget is used up, the largest part gives half of its bytes, the oldest, to a smaller one that
-// grows. So busy cells share the memory, and a cell at rest needs none.
+// budget is used up, the largest part gives up to half of its bytes, the oldest, to a smaller one
+// that grows. So busy cells share the memory, and a cell at rest needs none.
 #pragma once
 
 #include <cstddef>

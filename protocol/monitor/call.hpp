@@ -29,25 +29,41 @@ using SavedCellPtr = std::shared_ptr<const SavedCell>;
 
 namespace xr3::call {
 
+/// The properties of a call beside its effect. A call without a function traits() has none.
+struct Traits {
+  bool moves_time = false;        ///< may wait for bytes; the result has the state
+  bool begins_epoch = false;      ///< unless refused
+  bool enlarges = false;          ///< can make the cell larger for good
+  bool works_in_past = false;     ///< permitted while the cell is in its past
+  bool keeps_transcript = false;  ///< the transcript stays a function of the bytes, or begins anew
+  bool returns_faults = false;    ///< the result has the list of faults
+};
+
 /// Switches the clock to manual mode.
 struct Pause {};
 /// Switches the clock to real mode: it follows wall time.
-struct Resume {};
+struct Resume {
+  static constexpr Traits traits() { return {.works_in_past = true}; }
+};
 struct SetRate {
   Rate rate;  ///< kSlowest...kFastest
 };
 /// Advances a manual clock by `ticks`, at least 0.
 struct Step {
   Tick ticks = 0;
+  static constexpr Traits traits() { return {.moves_time = true}; }
 };
 /// Advances a manual clock until the cell is at rest or until a tick, by at most max_ticks.
 struct RunUntil {
   std::optional<Tick> tick;  ///< nullopt to run until the cell is at rest
   Tick max_ticks = 0;
+  static constexpr Traits traits() { return {.moves_time = true}; }
 };
 /// Restores the initial state and begins a new epoch at tick 0. Lines stay open, their parsers are
 /// reset. A workcell that replaced the file's is kept.
-struct Reset {};
+struct Reset {
+  static constexpr Traits traits() { return {.begins_epoch = true, .keeps_transcript = true}; }
+};
 /// Equivalent to A$ on a line.
 struct Home {};
 /// A function of command mode (paper, Table IV). Available even while the controller is disabled.
@@ -64,6 +80,7 @@ struct SetInput {
 };
 struct AddBlock {
   Block block;
+  static constexpr Traits traits() { return {.enlarges = true}; }
 };
 struct MoveBlock {
   std::string name;
@@ -76,29 +93,47 @@ struct RemoveBlock {
 /// Replaces the workcell. The robot's state is kept; a held block disappears with the old workcell.
 struct ReplaceWorkcell {
   Workcell workcell;
+  static constexpr Traits traits() { return {.enlarges = true}; }
 };
 /// Saves under `name`; if it is empty, the snapshot is only returned in the result.
 struct SaveSnapshot {
   std::string name;
+  Traits traits() const {
+    return {.enlarges = !name.empty(), .works_in_past = true, .keeps_transcript = true};
+  }
 };
 /// Loads the snapshot saved under `name` or the one passed with the call. Begins a new epoch.
 struct LoadSnapshot {
   std::string name;
   SavedCellPtr saved;  ///< used if `name` is empty
+  static constexpr Traits traits() {
+    return {.begins_epoch = true, .enlarges = true, .keeps_transcript = true};
+  }
 };
 /// Adds a fault, or replaces the one with its name.
 struct SetFault {
   Fault fault;
   std::optional<std::uint64_t> seed;  ///< seed of all faults; nullopt if unchanged
+  static constexpr Traits traits() { return {.returns_faults = true}; }
 };
 /// Removes a fault, or all faults.
 struct ClearFault {
   std::string name;  ///< empty for all faults
+  static constexpr Traits traits() { return {.returns_faults = true}; }
 };
 
 using Call = std::variant<Pause, Resume, SetRate, Step, RunUntil, Reset, Home, Key, StopDevice,
                           AlignMirror, SetInput, AddBlock, MoveBlock, RemoveBlock, ReplaceWorkcell,
                           SaveSnapshot, LoadSnapshot, SetFault, ClearFault>;
+
+inline Traits traits_of(const Call& call) {
+  return std::visit(
+      [](const auto& each) {
+        if constexpr (requires { each.traits(); }) return each.traits();
+        return Traits{};
+      },
+      call);
+}
 
 /// A call that was executed.
 struct Done {

@@ -40,7 +40,8 @@ std::optional<After> read_after(ArgsReader& args) {
 /// Reads args, and the members beside them.
 CallRequest read_args(const CallForm& form, ArgsReader& args) {
   CallRequest request{std::string(form.fn), form.read(args), {}, {}};
-  if (form.time == CallForm::Time::kMoves) {
+  const auto* of_cell = std::get_if<call::Call>(&request.call);
+  if (of_cell != nullptr && call::traits_of(*of_cell).moves_time) {
     request.after = read_after(args);
     request.fields = args.fields("fields", Channel::kState);
   }

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "core/faults/faults.hpp"
+#include "core/faults/effects.hpp"
 #include "protocol/files/consistency.hpp"
 #include "protocol/files/faults.hpp"
 #include "protocol/monitor/message.hpp"

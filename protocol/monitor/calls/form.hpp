@@ -12,7 +12,6 @@
 // The cell executes the calls (cell/calls.cpp), the server those without a write function.
 #pragma once
 
-#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
@@ -29,7 +28,7 @@ using CallValue = decltype(CallRequest::call);
 
 /// A read function reads the args of a call into its value. It requests every argument regardless
 /// of the values, so that reading an empty object yields the description of the call. If there are
-/// findings, the returned value is meaningless.
+/// findings, only the type of the returned value has a meaning.
 using ReadCall = CallValue (*)(ArgsReader&);
 /// A write function is the exact inverse, for recordings: the args of a call, or nullopt if it is
 /// another call.
@@ -39,10 +38,7 @@ struct CallForm {
   std::string_view fn;
   std::string_view purpose;  ///< one sentence
   ReadCall read;
-  /// nullptr if the cell does not execute the call, so it is not recorded.
-  WriteCall write = nullptr;
-  /// kMoves: with the arguments `after` and `fields`.
-  enum class Time : std::uint8_t { kStays, kMoves } time = Time::kStays;
+  WriteCall write = nullptr;  ///< nullptr if the call is not recorded
 };
 using CallForms = std::span<const CallForm>;
 

@@ -46,10 +46,10 @@ constexpr CallForm kTimeCalls[] = {
     {"rate", "Sets the number of simulated seconds per second.", read_rate,
      write_as<call::SetRate, write_rate>},
     {"step", "Advances simulated time by a number of ticks; not with a real clock.", read_step,
-     write_as<call::Step, write_step>, CallForm::Time::kMoves},
+     write_as<call::Step, write_step>},
     {"run_until",
      "Advances simulated time until nothing moves or to a tick; not with a real clock.",
-     read_run_until, write_as<call::RunUntil, write_run_until>, CallForm::Time::kMoves},
+     read_run_until, write_as<call::RunUntil, write_run_until>},
     {"reset", "Begins a new epoch with the initial state of the files.", read_nothing<call::Reset>,
      write_nothing<call::Reset>},
 };
