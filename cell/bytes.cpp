@@ -9,13 +9,6 @@
 namespace xr3 {
 namespace {
 
-/// Whether the transcript stays a function of the bytes after this call, or begins anew with it.
-bool leaves_bytes_alone(const call::Call& call) {
-  return std::holds_alternative<call::SaveSnapshot>(call) ||
-         std::holds_alternative<call::LoadSnapshot>(call) ||
-         std::holds_alternative<call::Reset>(call);
-}
-
 /// Whether the moment of this end is not decided by the client's bytes.
 bool is_aborted(LineCloseReason reason) {
   return reason == LineCloseReason::kError || reason == LineCloseReason::kMemory ||
@@ -196,7 +189,7 @@ void Cell::note_end(LineId line, LineCloseReason reason) {
 
 /// A call has changed the cell.
 void Cell::note_call(const call::Call& call) {
-  if (!leaves_bytes_alone(call)) mark(TranscriptMark::kNotBytesAlone);
+  if (!call::traits_of(call).keeps_transcript) mark(TranscriptMark::kNotBytesAlone);
   if (is_moved_by_bytes() && lines_.empty()) rest();
 }
 

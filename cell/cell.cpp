@@ -262,7 +262,7 @@ void Cell::handle(const RecordingFailed& failed, WallNs) {
 }
 
 Applied Cell::handle(const call::Call& call, WallNs now) {
-  if (is_in_past_ && !leaves_past_alone(call)) return {.outcome = in_the_past()};
+  if (is_in_past_ && !call::traits_of(call).works_in_past) return {.outcome = in_the_past()};
   Applied applied{.outcome =
                       std::visit([&](const auto& each) { return carry_out(each, now); }, call)};
   emit_time_events();

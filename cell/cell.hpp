@@ -271,7 +271,6 @@ class Cell final : private LineListener {
   void after_manual_advance(Tick start, WallNs now);
   void changed_model(std::string_view call, const std::string& name);
   void placed_block(std::string_view call, std::size_t block);
-  static bool leaves_past_alone(const call::Call& call);
   void end_past();
 
   ByteClock& bytes() {

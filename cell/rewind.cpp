@@ -10,11 +10,6 @@ call::Refused Cell::in_the_past() {
           "call resume to go on from here, which drops what came after, or seek another time"};
 }
 
-bool Cell::leaves_past_alone(const call::Call& call) {
-  return std::holds_alternative<call::Resume>(call) ||
-         std::holds_alternative<call::SaveSnapshot>(call);
-}
-
 void Cell::handle(const Rewind& rewind, WallNs now) {
   assert(!device_);
   if (!is_in_past_) was_manual_ = clock_.mode() == ClockMode::kManual;

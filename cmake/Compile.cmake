@@ -17,7 +17,7 @@ set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}")
 include_directories("${PROJECT_SOURCE_DIR}")  # includes name the folder, as in "core/step.hpp"
 add_compile_options(-Wall -Wextra -Wpedantic -Wconversion -Wshadow)
 
-# The same arithmetic on every machine (docs/decisions/0004-integers-decide.md). The linker needs the
+# Equal arithmetic on every machine (docs/decisions/0004-integers-decide.md). The linker needs the
 # option too, because with link-time optimisation the linker generates the code.
 add_compile_options(-ffp-contract=off)
 add_link_options(-ffp-contract=off)

@@ -1,5 +1,5 @@
-# What `cmake --install` installs, and how CPack makes the tarball and the Debian package of it. Why they
-# are made so: docs/decisions/0028-packages.md. The page is a part of the program.
+# The files that `cmake --install` installs, and the tarball and the Debian package that CPack makes of them.
+# The reasons are in docs/decisions/0028-packages.md. The page is a part of the program.
 set(manual "${PROJECT_BINARY_DIR}/cli/manual")
 set(doc "${CMAKE_INSTALL_DATADIR}/doc/xr3")
 install(TARGETS xr3)

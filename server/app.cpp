@@ -15,9 +15,9 @@ namespace {
 
 // Maximum time for clients to read their last replies before the process ends.
 constexpr WallNs kDrainLimit = 1'000'000'000;
-// Maximum time for the sessions to notice that they were aborted.
+// Maximum time for the sessions to end after an abort.
 constexpr std::chrono::milliseconds kAbortLimit{200};
-// Enough memory to log one message.
+// Memory that suffices to log one message.
 constexpr std::size_t kReserveBytes = std::size_t{256} * 1024;
 // The part of the memory that the rings of all cells may have together: an eighth.
 constexpr std::size_t kRingsPart = 8;
@@ -57,7 +57,7 @@ void warn_of_open_token(const std::string& file) {
     spdlog::warn("{}: every user of this machine can read the token; set mode 600", file);
 }
 
-/// Empty: there is none.
+/// The token for /metrics; empty if there is none.
 std::string metrics_token(const ServeOptions& options) {
   if (options.metrics_token_file.empty()) return {};
   warn_of_open_token(options.metrics_token_file);
@@ -95,13 +95,14 @@ std::string page_address(const tcp::endpoint& monitor) {
          "/";
 }
 
-// nohup starts a program with SIGHUP ignored, so that it survives the end of the terminal.
+// Whether a signal is ignored. nohup starts a program with SIGHUP ignored, so that it survives the
+// end of the terminal.
 bool is_ignored(int signal) {
   struct sigaction action {};
   return ::sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
 }
 
-/// The most branches that there can be at once.
+/// The maximum number of branches at a time.
 std::size_t most_branches(const ServeOptions& options, std::size_t cells) {
   if (options.history_ticks == 0) return 0;
   if (options.is_cell_per_connection) return options.max_cells;
@@ -184,7 +185,7 @@ ExitCode App::run() {
 }
 
 void App::begin_with(const std::function<void(Cell&)>& replay) {
-  keep_histories();  // before the replay, so that what was recorded is the past
+  keep_histories();  // before the replay, so that recorded inputs are the past
   is_replaying_ = true;
   Cell& cell = first().cell();
   replay(cell);
@@ -263,7 +264,7 @@ void App::open_device() {
   with_option_source(options_.option_sources, "--serial", [&] { first().open_device(); });
 }
 
-// Called when everything is ready: programs may connect as soon as they see this line or the file.
+// Called when all ports are open: programs may connect as soon as they see this line or the file.
 void App::announce() {
   stage_ = Stage::kReady;
   const tcp::endpoint robot = robot_endpoint();
@@ -286,7 +287,7 @@ void App::announce_token() const {
   print_error("xr3: calls need this run's token; open " + page_ + "#token=" + fresh_token_ + "\n");
 }
 
-/// Names the page to a person, or where the log of level info is read.
+/// Prints the address of the page for a user, or logs it where the log of level info is read.
 void App::announce_page() const {
   const bool is_logged = options_.log_file.empty() && spdlog::should_log(spdlog::level::info);
   if (!fresh_token_.empty() || (!is_logged && ::isatty(STDERR_FILENO) == 0)) return;
@@ -306,7 +307,7 @@ void App::acted(HostedCell& cell) {
   stage_ == Stage::kDraining ? ended() : monitor_port_.service().acted(cell);
 }
 
-/// A line or a connection may have ended.
+/// Continues a shutdown after a line or a connection may have ended.
 void App::ended() {
   if (stage_ == Stage::kDraining && has_no_clients()) io_.stop();
 }
@@ -342,7 +343,8 @@ void App::stop() {
   });
 }
 
-// Sessions end by themselves when they are resumed. But requests may wait for the worker, for long.
+// Aborts the sessions, which end by themselves when they are resumed. Requests may wait for the
+// worker for long.
 void App::end_soon() {
   run_after(drain_limit_, kAbortLimit, [this] { io_.stop(); });
 }

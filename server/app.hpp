@@ -1,4 +1,16 @@
 // The process: one io_context, the cells, their ports, signals, and an orderly shutdown.
+//
+// The flow through server: main.cpp makes an App from options (options/), loaded models
+// (files/load_model.hpp) and a token. The App divides descriptors and memory (net/), opens the
+// cells and gives each its ports. Bytes reach a robot through robot_port/ (TCP), pty/
+// (pseudo-terminals) or device/ (a physical controller). lines/ serves the lines in turn, executes
+// their bytes on the cell and writes the replies. A cell is hosted by cells/: it advances the cell
+// by wall time, and tells clients of the monitor about changes. monitor_port/ serves JSON clients
+// and http/ browsers on the other port; long work, such as a picture, runs in a worker thread
+// (net/worker.hpp). recording/ writes the inputs of a cell to a file. Everything else runs in one
+// thread, in the event loop of run(). A signal ends it: ports are closed, lines and connections get
+// a second to drain, and recordings and port file are finished. An exception of a loop ends the
+// process with a message in the log.
 #pragma once
 
 #include <boost/asio/signal_set.hpp>
@@ -25,33 +37,33 @@
 
 namespace xr3 {
 
-/// How long cells of connections, and branches, are kept without use.
+/// Time for which cells of connections, and branches, are kept without use.
 WallNs linger_of(const ServeOptions& options);
 
 class App {
  public:
   /// `seeds`: of the cells of plan_cells(), or with --cell-per-connection one for every cell.
-  /// `token`: as read from the source in the options; empty: none. Throws CellPlanError.
+  /// `token`: as read from the source in the options; empty if there is none. Throws CellPlanError.
   App(const ServeOptions& options, std::vector<CellSeed> seeds, std::string token);
 
   App(const App&) = delete;
   App& operator=(const App&) = delete;
   ~App();
 
-  /// Lets `replay` bring the first cell, fresh, to which it may apply inputs, to the state with
-  /// which this server begins. Its lines are closed after it, and its events are not logged.
+  /// Lets `replay` apply inputs to the first cell, which is fresh, to make the state with which
+  /// this server begins. Closes its lines after it, and does not log its events.
   void begin_with(const std::function<void(Cell&)>& replay);
 
   /// Serves until SIGTERM, SIGINT or SIGHUP, then sends pending replies and returns kGood. An
   /// exception from any loop or handler ends it at once: it is logged, and the result is kBroken.
-  /// Throws ExitError if it cannot listen on a port; FileError if a file
-  /// or pseudo-terminal cannot be made.
+  /// Throws ExitError if it cannot listen on a port; FileError if a file or pseudo-terminal cannot
+  /// be made.
   ExitCode run();
 
   /// Valid once run() has begun to serve.
   tcp::endpoint robot_endpoint() const;
   tcp::endpoint monitor_endpoint() const { return monitor_port_.endpoint(); }
-  /// For posting work to the event loop.
+  /// The executor for posting work to the event loop.
   asio::io_context::executor_type executor() { return io_.get_executor(); }
 
  private:
@@ -106,8 +118,8 @@ class App {
   EventLoop io_;
   Stage stage_ = Stage::kStarting;
   bool is_replaying_ = false;
-  std::string page_;         ///< its address; empty before the monitor port listens
-  std::string record_path_;  ///< of the recording, or the folder of this run for several cells
+  std::string page_;         ///< address of the page; empty before the monitor port listens
+  std::string record_path_;  ///< path of the recording, or folder of this run for several cells
   AccessPolicy policy_;
   RecordingRoom record_room_;
   SocketLimits limits_;

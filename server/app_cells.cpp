@@ -1,4 +1,4 @@
-// The cells of the process: those of the start, and those that come and go with connections.
+// The cells of the process: those of the start, and those of connections and branches.
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
@@ -55,7 +55,7 @@ tcp::endpoint App::robot_endpoint() const {
 
 // --- Readiness.
 
-/// Why clients of the robot ports are not served, as a sentence; empty if they are.
+/// Returns a sentence with the reason why robot ports serve no clients; empty if they do.
 std::string App::not_ready() const {
   if (stage_ != Stage::kReady) return "the server is starting or stopping";
   if (!turns_.is_watching()) return "the serial lines are not watched";
@@ -138,7 +138,7 @@ CellPtr App::open_for_connection(const std::string& name) {
   return cell;
 }
 
-// A robot goes on without its recording.
+// Begins the recording of a connection's cell. If that fails, the cell continues without it.
 void App::record_connection(HostedCell& cell) {
   if (options_.record.empty()) return;
   try {
@@ -192,7 +192,7 @@ CellPtr App::make_branch(const std::string& name, HostedCell& of, const MachineS
   return cell;
 }
 
-// The cell goes on at once. Its recording, if any, begins with the state from the past.
+// Begins a branch, which runs at once. Its recording, if any, begins with the state from the past.
 void App::begin_branch(HostedCell& cell, MachineSnapshotPtr past) {
   if (has_many_cells(options_)) record_connection(cell);
   keep_history(cell);
@@ -223,7 +223,7 @@ void App::count_more(CellCounters& counters) const {
   counters.of(LineCloseReason::kNotARobotProgram) += connection_cells_->turned_away();
 }
 
-/// The frames of one cell are few; those of many together may be much.
+/// Frees frames. The frames of one cell are few; those of many together may be much.
 std::size_t App::trim_frames() {
   std::size_t bytes = 0;
   if (!cells_.is_single())

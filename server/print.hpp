@@ -1,4 +1,4 @@
-// Text for people on the standard streams. All commands print with these functions, since names in
+// Text for users on the standard streams. All commands print with these functions, since names in
 // files and of files may contain anything: control characters are escaped, see
 // protocol/text/printable.hpp. Exceptions: the log, which has its own sink; `xr3 term`, which moves
 // the cursor and passes on bytes of the robot; and the output of a program under `xr3 exec`.

@@ -26,7 +26,7 @@ Cost = collections.namedtuple("Cost", "seconds wall_s preset name status")
 
 
 def environment_of(preset):
-    """What the preset of the tests adds to the environment, with what it inherits."""
+    """The environment that the preset of the tests sets, with that of the presets that it inherits."""
     presets = {each["name"]: each for each in json.loads((ROOT / "CMakePresets.json").read_text())["testPresets"]}
     own = presets[preset]
     inherited = environment_of(own["inherits"]) if "inherits" in own else {}

@@ -12,9 +12,7 @@
 namespace xr3 {
 
 Replayer::Result Replayer::make_call(const call::Call& call) {
-  const bool begins_epoch =
-      std::holds_alternative<call::Reset>(call) || std::holds_alternative<call::LoadSnapshot>(call);
-  is_stopped_ = begins_epoch && stop_ == now();
+  is_stopped_ = call::traits_of(call).begins_epoch && stop_ == now();
   if (is_stopped_) return std::nullopt;
   ++inputs_;
   if (const auto* wanted = std::get_if<call::Step>(&call)) return step(*wanted);

@@ -10,8 +10,8 @@
 
 #include "cli/commands/commands.hpp"
 #include "cli/commands/fail.hpp"
-#include "cli/commands/terminal.hpp"
 #include "cli/commands/watch_connection.hpp"
+#include "cli/term/terminal.hpp"
 #include "server/net/spawn.hpp"
 #include "server/options/token.hpp"
 #include "server/print.hpp"

@@ -20,8 +20,6 @@
 namespace xr3 {
 namespace {
 
-constexpr const char* kUsualRobot = "rhino-xr3";
-
 /// Reads standard input by lines, until its end or a signal to stop. At most one instance at a
 /// time.
 class KeyboardInput {

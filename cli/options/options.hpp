@@ -46,7 +46,7 @@ struct CheckOptions {
 
 struct DrawOptions {
   std::string out;  ///< ends in .svg or .png
-  std::string robot = "rhino-xr3";
+  std::string robot = kUsualRobot;
   std::string workcell;  ///< empty for the one with the robot's name
   /// Joint variables from the base, degrees or mm; empty for the soft home.
   std::vector<double> joints;
@@ -56,7 +56,7 @@ struct DrawOptions {
 };
 
 struct KinOptions {
-  std::string robot = "rhino-xr3";  ///< name or path
+  std::string robot = kUsualRobot;  ///< name or path
   KinOptionValues values;           ///< not validated, which requires the robot
   bool is_json = false;
 };

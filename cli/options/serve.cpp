@@ -232,8 +232,7 @@ void add_serve(CLI::App& app, ServeOptions& options) {
   add_time(serve, options,
            "real (default), FACTOR times as fast; manual: by the monitor; bytes: by the programs");
   add_value(serve, "--max-lines", options.max_lines, "N",
-            "maximum number of open robot connections; further ones are closed at once "
-            "(default: 64, or 4 for each of several cells)")
+            "maximum number of open robot connections (default: 64, more with many cells)")
       ->check(whole_number_between(1, kMaxLines));
   add_value(serve, "--max-per-address", options.max_per_address, "N",
             "maximum number of connections of one address on each port")

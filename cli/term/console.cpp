@@ -3,7 +3,7 @@
 #include <csignal>
 #include <iostream>
 
-#include "cli/commands/terminal.hpp"
+#include "cli/term/terminal.hpp"
 #include "protocol/text/printable.hpp"
 #include "server/net/spawn.hpp"
 #include "tools/term/line_decoder.hpp"

@@ -31,7 +31,7 @@ echo 'E+50'
 robot_send 'E+50\r'
 wait_for E
 
-# And back again.
+# Move back.
 echo 'E-50'
 robot_send 'E-50\r'
 wait_for E

@@ -7,7 +7,7 @@
 cd "$(dirname "$0")" || exit
 . ./robot.sh "$@"
 
-# Where the switches close, in counts from the soft home: upper arm upright, forearm level, tool
+# Counts at which the switches close, from the soft home: upper arm upright, forearm level, tool
 # down. Seen from there each is open before this count, and closed from it on: for a few dozen
 # counts on a real arm, for longer in the simulator.
 declare -A place=([D]=40 [E]=-40 [C]=40 [B]=-25 [F]=30 [A]=-16)
@@ -75,7 +75,7 @@ find_near_edge() {
 # The open jaws are at the end of their travel, and on their switch. It opens when they close.
 changes A -$stride $far
 read_switch A
-closed=$switch # what a closed switch reads, 0 or 1
+closed=$switch # the reading of a closed switch, 0 or 1
 
 # A shoulder on its switch may lean far back: it comes forward before the forearm moves.
 read_switch E

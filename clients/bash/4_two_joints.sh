@@ -35,7 +35,7 @@ done
 [ "$e" = 0 ] || give_up_standing E "$e"
 echo 'both are there'
 
-# And back again. robot_wait is the loop of example 2, for one joint after the other.
+# Move back. robot_wait is the loop of example 2, for one joint after the other.
 robot_send 'F-40 E-80\r'
 robot_wait F
 [ "$left" = 0 ] || give_up_standing F "$left"

@@ -70,7 +70,7 @@ int main(int argc, char *argv[]) {
     return 1;
   }
 
-  /* How many counts does the shoulder, joint E, still have to go? 32, the code of a blank, is added
+  /* Ask how many counts the shoulder, joint E, still has to go. 32, the code of a blank, is added
      to the answer to make it printable: a blank means 0 counts to go, "!" means 1, and so on. */
   int reply = ask(robot, "E?");
   printf("E? is answered by %d: %d counts to go\n", reply, reply - 32);

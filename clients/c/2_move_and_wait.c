@@ -34,7 +34,7 @@ int main(int argc, char *argv[]) {
   robot_send("E+50\r");
   wait_for(E);
 
-  /* And back again. */
+  /* Move back. */
   printf("E-50\n");
   robot_send("E-50\r");
   wait_for(E);

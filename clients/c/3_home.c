@@ -8,7 +8,7 @@
 
 #include "robot.h"
 
-/* Where the switches close, in counts from the soft home: upper arm upright, forearm level, tool
+/* Counts at which the switches close, from the soft home: upper arm upright, forearm level, tool
    down. Seen from there each is open before this count, and closed from it on: for a few dozen
    counts on a real arm, for longer in the simulator. */
 static const int SWITCHES[JOINTS] = {[F] = 30, [E] = -40, [D] = 40, [C] = 40, [B] = -25, [A] = -16};

@@ -31,7 +31,7 @@ int main(int argc, char *argv[]) {
   }
   printf("both are there\n");
 
-  /* And back again. robot_wait is the loop of example 2, for one joint after the other. */
+  /* Move back. robot_wait is the loop of example 2, for one joint after the other. */
   robot_send("F-40 E-80\r");
   f = robot_wait(F);
   if (f > 0) robot_stands(F, f);

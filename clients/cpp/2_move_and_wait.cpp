@@ -35,7 +35,7 @@ int main(int argc, char* argv[]) try {
   robot.send("E+50\r");
   wait_for(robot, 'E');
 
-  // And back again.
+  // Move back.
   std::cout << "E-50\n";
   robot.send("E-50\r");
   wait_for(robot, 'E');

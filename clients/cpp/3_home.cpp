@@ -82,7 +82,7 @@ int main(int argc, char* argv[]) try {
 
   // The open jaws are at the end of their travel, and on their switch. It opens when they close.
   changes(robot, kJaws, -kStep, kFar);
-  const int closed = read_switch(robot, kJaws);  // what a closed switch reads, 0 or 1
+  const int closed = read_switch(robot, kJaws);  // the reading of a closed switch, 0 or 1
 
   // A shoulder on its switch may lean far back: it comes forward before the forearm moves.
   if (read_switch(robot, kShoulder) == closed) find_near_edge(robot, kShoulder, closed);

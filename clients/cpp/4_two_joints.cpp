@@ -33,7 +33,7 @@ int main(int argc, char* argv[]) try {
   }
   std::cout << "both are there\n";
 
-  // And back again. wait() is the loop of example 2, for one joint after the other.
+  // Move back. wait() is the loop of example 2, for one joint after the other.
   robot.send("F-40 E-80\r");
   Robot::check_arrived('F', robot.wait('F'));
   Robot::check_arrived('E', robot.wait('E'));

@@ -51,7 +51,7 @@ class Hello {
 
         Socket robot = connect(host, port);
 
-        // How many counts does the shoulder, joint E, still have to go? 32, the code of a blank, is
+        // Ask how many counts the shoulder, joint E, still has to go. 32, the code of a blank, is
         // added to the answer to make it printable: a blank means 0 counts to go, "!" means 1, and
         // so on.
         int reply = ask(robot, "E?");

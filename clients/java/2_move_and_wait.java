@@ -35,7 +35,7 @@ class MoveAndWait {
         robot.send("E+50\r");
         waitFor(robot, "E");
 
-        // And back again.
+        // Move back.
         System.out.println("E-50");
         robot.send("E-50\r");
         waitFor(robot, "E");

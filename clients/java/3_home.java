@@ -27,7 +27,7 @@ class Home {
 
     static Robot robot;
 
-    static int closed; // what a closed switch reads, 0 or 1
+    static int closed; // the reading of a closed switch, 0 or 1
 
     /** The bit of the switch. Some controllers report a closed switch as 1, others as 0. */
     static int readSwitch(int k) throws IOException {

@@ -31,7 +31,7 @@ class TwoJoints {
         }
         System.out.println("both are there");
 
-        // And back again. robot.waitFor() is the loop of example 2, for one joint after the other.
+        // Move back. robot.waitFor() is the loop of example 2, for one joint after the other.
         robot.send("F-40 E-80\r");
         Robot.checkArrived("F", robot.waitFor("F"));
         Robot.checkArrived("E", robot.waitFor("E"));

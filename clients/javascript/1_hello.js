@@ -37,7 +37,7 @@ robot.on("data", (bytes) => {
   if (bytes.length !== 1) wrongReply();
   const reply = bytes[0];
   if (question === "E?") {
-    // How many counts does the shoulder, joint E, still have to go? 32, the code of a blank, is
+    // Ask how many counts the shoulder, joint E, still has to go. 32, the code of a blank, is
     // added to the answer to make it printable: a blank means 0 counts to go, "!" means 1, and so
     // on.
     console.log(`E? is answered by ${reply}: ${reply - 32} counts to go`);

@@ -32,7 +32,7 @@ async function main() {
   robot.send("E+50\r");
   await waitFor("E");
 
-  // And back again.
+  // Move back.
   console.log("E-50");
   robot.send("E-50\r");
   await waitFor("E");

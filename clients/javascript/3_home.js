@@ -5,7 +5,7 @@
 
 const { Robot, giveUp, giveUpStanding, move } = require("./robot");
 
-// Where the switches close, in counts from the soft home: upper arm upright, forearm level, tool
+// Counts at which the switches close, from the soft home: upper arm upright, forearm level, tool
 // down. Seen from there each is open before this count, and closed from it on: for a few dozen
 // counts on a real arm, for longer in the simulator. The jaws, joint A, come first: they show how a
 // closed switch reads. The elbow follows, since it lifts the hand off the table.
@@ -20,7 +20,7 @@ const FAR = 1600; // more counts than any joint has from a limit to its switch
 const LEAN = 400; // counts forward that bring the shoulder out of its backmost position
 
 const robot = new Robot();
-let closed; // what a closed switch reads, 0 or 1
+let closed; // the reading of a closed switch, 0 or 1
 
 // The bit of the joint's switch. Some controllers report a closed switch as 1, others as 0.
 async function readSwitch(joint) {

@@ -31,7 +31,7 @@ async function main() {
   if (e > 0) giveUpStanding("E", e);
   console.log("both are there");
 
-  // And back again. wait() is the loop of example 2, for one joint after the other.
+  // Move back. wait() is the loop of example 2, for one joint after the other.
   robot.send("F-40 E-80\r");
   f = await robot.wait("F");
   e = await robot.wait("E");

@@ -35,7 +35,7 @@ catch
 end
 wrong_reply = 'no robot answers like this; is it the monitor port? The robot port is 9600';
 
-% How many counts does the shoulder, joint E, still have to go? 32, the code of a blank, is added to
+% Ask how many counts the shoulder, joint E, still has to go. 32, the code of a blank, is added to
 % the answer to make it printable: a blank means 0 counts to go, "!" means 1, and so on. (Bytes are
 % converted to doubles, since uint8 arithmetic saturates at 0.)
 write(robot, uint8('E?'));

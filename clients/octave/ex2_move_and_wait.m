@@ -26,7 +26,7 @@ while left > 0
 end
 fprintf('E is there\n');
 
-% And back again.
+% Move back.
 fprintf('E-50\n');
 robot_send(robot, 'E-50\r');
 left = robot_to_go(robot, 'E');

@@ -7,7 +7,7 @@
 % lifts the hand off the table.
 joints = 'ADECBF';
 
-% Where the switches close, in counts from the soft home: upper arm upright, forearm level, tool
+% Counts at which the switches close, from the soft home: upper arm upright, forearm level, tool
 % down. Seen from there each is open before this count, and closed from it on: for a few dozen
 % counts on a real arm, for longer in the simulator.
 places = [-16 40 -40 40 -25 30];
@@ -16,7 +16,7 @@ robot = robot_connect();
 
 % The open jaws are at the end of their travel, and on their switch. It opens when they close.
 robot_changes(robot, 'A', -10, 1600);
-closed = robot_switch(robot, 'A');  % what a closed switch reads, 0 or 1
+closed = robot_switch(robot, 'A');  % the reading of a closed switch, 0 or 1
 
 % A shoulder on its switch may lean far back: it comes forward before the forearm moves.
 if robot_switch(robot, 'E') == closed, robot_find_edge(robot, 'E', -1, closed); end

@@ -28,7 +28,7 @@ if f > 0, robot_stands('F', f); end
 if e > 0, robot_stands('E', e); end
 fprintf('both are there\n');
 
-% And back again. robot_wait is the loop of example 2, for one joint after the other.
+% Move back. robot_wait is the loop of example 2, for one joint after the other.
 robot_send(robot, 'F-40 E-80\r');
 f = robot_wait(robot, 'F');
 e = robot_wait(robot, 'E');

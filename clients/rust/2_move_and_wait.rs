@@ -35,7 +35,7 @@ fn move_and_wait() -> Result<()> {
     robot.send("E+50\r")?;
     wait_for(&mut robot, 'E')?;
 
-    // And back again.
+    // Move back.
     println!("E-50");
     robot.send("E-50\r")?;
     wait_for(&mut robot, 'E')

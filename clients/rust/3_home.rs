@@ -96,7 +96,7 @@ fn home() -> Result<()> {
 
     // The open jaws are at the end of their travel, and on their switch. It opens when they close.
     changes(&mut robot, &JAWS, -STEP, FAR)?;
-    let closed = read_switch(&mut robot, &JAWS)?; // what a closed switch reads, 0 or 1
+    let closed = read_switch(&mut robot, &JAWS)?; // the reading of a closed switch, 0 or 1
 
     // A shoulder on its switch may lean far back: it comes forward before the forearm moves.
     if read_switch(&mut robot, &SHOULDER)? == closed {

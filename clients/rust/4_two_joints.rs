@@ -32,7 +32,7 @@ fn two_joints() -> Result<()> {
     }
     println!("both are there");
 
-    // And back again. wait() is the loop of example 2, for one joint after the other.
+    // Move back. wait() is the loop of example 2, for one joint after the other.
     robot.send("F-40 E-80\r")?;
     check_arrived('F', robot.wait('F')?)?;
     check_arrived('E', robot.wait('E')?)?;

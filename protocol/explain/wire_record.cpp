@@ -31,19 +31,6 @@ void begin(WireRecord& record, Direction direction, const WirePlace& place, std:
   record.items.clear();
 }
 
-// Adds an item to be filled in place, since copying it costs more than the rest of a short record.
-// A new item has the first alternative already.
-template <class What>
-What& add_item(std::vector<Item>& items, std::uint64_t from, std::uint64_t to) {
-  Item& item = items.emplace_back();
-  item.from = from;
-  item.to = to;
-  if constexpr (std::is_same_v<What, std::variant_alternative_t<0, wire::Meaning>>)
-    return std::get<What>(item.what);
-  else
-    return item.what.emplace<What>();
-}
-
 // Problems that skip a single byte. They are merged, as a client may send megabytes of garbage.
 bool is_junk(const Problem& problem) {
   return problem.code == ProblemCode::kUnknownByte ||

@@ -10,7 +10,7 @@
 #include "core/coupling.hpp"
 #include "core/grasp.hpp"
 #include "core/kinematics.hpp"
-#include "core/placement.hpp"
+#include "core/workcell.hpp"
 #include "protocol/goals/file.hpp"
 #include "protocol/goals/goal_text.hpp"
 #include "protocol/text/table.hpp"

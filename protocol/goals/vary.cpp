@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/inverse/reach.hpp"
-#include "core/placement.hpp"
+#include "core/workcell.hpp"
 
 namespace xr3 {
 namespace {

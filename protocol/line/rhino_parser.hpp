@@ -83,9 +83,8 @@ class RhinoParser {
   void feed(std::uint8_t byte, std::uint64_t offset, std::vector<Parsed>& out);
 
   /// Handles a byte like feed() while the controller is disabled: only `A@` is accepted, everything
-  /// else is a problem. Not inlined, so that feed() stays light.
-  [[gnu::noinline]] void feed_disabled(std::uint8_t byte, std::uint64_t offset,
-                                       std::vector<Parsed>& out);
+  /// else is a problem.
+  void feed_disabled(std::uint8_t byte, std::uint64_t offset, std::vector<Parsed>& out);
 
   bool operator==(const RhinoParser&) const = default;
   void write_state(StateWriter& out) const {

@@ -1,15 +1,15 @@
 // Names and other text from files and clients, made safe for a terminal, the log and reports. The
 // bytes of a serial line are shown by readable() of protocol/explain/diagnostic.hpp instead.
 //
-// The flow through the folder: text from outside arrives as bytes. whole_number.hpp and numbers.hpp
-// parse arguments and variables into numbers and say when they cannot. utf8.hpp finds the
-// characters of a text; printable_line() and printable_lines() replace those that a terminal would
-// execute or that change the direction of text, and printable_json() does so within JSON without
-// changing its value. Every function that prints for people calls one of them last:
-// server/print.hpp, the log, and the reports of tools/report. table.hpp formats numbers without
-// superfluous digits and aligns columns; its cells are made printable first. text_stream.hpp is the
-// stream for texts that are built in pieces: it throws if memory ends, where the standard stream
-// would lose the rest. Nothing here depends on robots or on JSON values.
+// The flow through the folder: text from outside arrives as bytes. whole_number.hpp and
+// numbers.hpp parse arguments and variables into numbers and say when they cannot.
+// printable_line() and printable_lines() replace those that a terminal would execute or that
+// change the direction of text, and printable_json() does so within JSON without changing its
+// value. Every function that prints for people calls one of them last: server/print.hpp, the log,
+// and the reports of tools/report. table.hpp formats numbers without superfluous digits and aligns
+// columns; its cells are made printable first. text_stream.hpp is the stream for texts that are
+// built in pieces: it throws if memory ends, where the standard stream would lose the rest.
+// Nothing here depends on robots or on JSON values.
 #pragma once
 
 #include <string>

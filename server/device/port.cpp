@@ -99,7 +99,8 @@ void DevicePort::lose(const std::string& why) {
   acted_();
 }
 
-// A port that is lost meanwhile leads here again.
+// Writes pending bytes and sets the deadline. Losing the port meanwhile calls this again, without
+// effect.
 void DevicePort::pump() {
   if (is_closing_ || std::exchange(is_pumping_, true)) return;
   write();
@@ -129,8 +130,8 @@ void DevicePort::await_room() {
   });
 }
 
-// The inquiry that the device does not answer is forgotten when time passes, and the next one is
-// sent.
+// Waits for the deadline of an inquiry. If the device does not answer in time, advancing the cell's
+// time discards the inquiry, and the next one is sent.
 void DevicePort::await_deadline() {
   const auto due = cell_.device()->deadline();
   if (!due) return;

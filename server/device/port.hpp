@@ -1,5 +1,15 @@
 // Moves the bytes between the cell's device link and the serial port of a physical controller, and
 // opens the port again when it returns.
+//
+// The flow through the folder: with --serial, open() locks the device (uucp_lock.hpp), opens it raw
+// and for this process alone (serial_device.hpp), and starts a coroutine. The cell decides which
+// bytes go to the controller: commands of the lines while the simulator is disabled, in the form of
+// protocol/line/device_command.hpp. After each input of the cell the server calls pump(), which
+// writes the bytes that the link has ready. The coroutine reads the replies and applies them to the
+// cell as an input, which routes them to the line that asked. A timer at the link's deadline lets
+// the cell give up an inquiry that the device does not answer. When the port is lost, such as a
+// cable that was pulled out, the cell is told why, and opening is tried every half second until the
+// device is back. The simulation and its lines continue meanwhile.
 #pragma once
 
 #include <array>
@@ -16,7 +26,7 @@ namespace xr3 {
 
 class DevicePort {
  public:
-  /// A port that has vanished is tried again this often.
+  /// Interval for opening a port that has vanished.
   static constexpr std::chrono::milliseconds kReopenEvery{500};
 
   /// Connects the cell, which must outlive the port, with a device. `acted` is called after each
@@ -26,11 +36,11 @@ class DevicePort {
   DevicePort(const DevicePort&) = delete;
   DevicePort& operator=(const DevicePort&) = delete;
 
-  /// Opens the device and serves it from now on. Throws SerialDeviceError.
+  /// Opens the device and starts serving it. Throws SerialDeviceError.
   void open();
-  /// Writes what is due. To be called after each input of the cell.
+  /// Writes pending bytes. Call after each input of the cell.
   void pump();
-  /// Serves no longer. Nothing is sent.
+  /// Stops serving. Nothing is sent.
   void close();
 
  private:
@@ -51,7 +61,7 @@ class DevicePort {
   asio::posix::stream_descriptor port_;
   asio::steady_timer reopen_;
   asio::steady_timer deadline_;
-  std::uint64_t stops_ = 0;  ///< of the link, when it was last written
+  std::uint64_t stops_ = 0;  ///< the link's number of stops at the last write
   bool waits_for_room_ = false;
   bool is_pumping_ = false;
   bool is_closing_ = false;

@@ -36,7 +36,7 @@ const std::map<std::uint32_t, speed_t>& speeds() {
   throw SerialDeviceError(path + ": in use by another program", true);
 }
 
-/// What to do if the permission is missing; the group of serial devices is often dialout.
+/// The remedy for a missing permission; the group of serial devices is often dialout.
 std::string advice_on_permission(const std::string& path) {
   struct stat status {};
   const bool is_known = ::stat(path.c_str(), &status) == 0;
@@ -55,7 +55,8 @@ std::string advice_on_permission(const std::string& path) {
   }
 }
 
-// Not by the inode: /dev/tty is another name of the terminal.
+// Whether the device is the controlling terminal. Not compared by inode: /dev/tty is another name
+// of the terminal.
 bool is_same_terminal(int device) {
   unsigned int mine = 0;
   unsigned int other = 0;
@@ -92,8 +93,9 @@ tcflag_t bits_of_frame(const SerialFrame& frame) {
   return bits;
 }
 
-// A pseudo-terminal has no frame. The C library of Debian refuses one with EINVAL, but only in a
-// request that changes nothing else, such as that of the second program on it.
+// Whether the error only says that a pseudo-terminal has no frame. The C library of Debian refuses
+// one with EINVAL, but only in a request that changes nothing else, such as that of the second
+// program on it.
 bool is_without_frame(int device, int error) {
   constexpr unsigned kFirstPtsMajor = 136;
   constexpr unsigned kLastPtsMajor = 143;

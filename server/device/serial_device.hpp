@@ -13,7 +13,7 @@ class SerialDeviceError : public FileError {
  public:
   SerialDeviceError(const std::string& message, bool is_in_use)
       : FileError(message), is_in_use_(is_in_use) {}
-  /// Another program has the device.
+  /// Whether another program has the device.
   bool is_in_use() const { return is_in_use_; }
 
  private:
@@ -21,14 +21,14 @@ class SerialDeviceError : public FileError {
 };
 
 /// Opens a serial device or the slave of a pseudo-terminal, non-blocking. Programs that lock ports
-/// are kept away, and those that open the device later; a plain holder cannot be detected. Modem
-/// lines are left as they are when the descriptor is closed. A frame that is not given is that of a
-/// Mark III. Returns the descriptor, which the caller owns. Throws SerialDeviceError.
+/// are excluded, and those that open the device later; a plain holder cannot be detected. Modem
+/// lines keep their state when the descriptor is closed. The default frame is that of a Mark III.
+/// Returns the descriptor, which the caller owns. Throws SerialDeviceError.
 int open_serial_device(const std::string& path, const SerialSettings& settings);
 
-/// Discards what the system holds of both directions.
+/// Discards bytes of both directions that the system holds.
 void discard_all(int device);
-/// Discards bytes that were written and have not left.
+/// Discards bytes that were written and not yet sent.
 void discard_output(int device);
 
 }  // namespace xr3

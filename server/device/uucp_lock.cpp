@@ -55,7 +55,7 @@ UucpLock::~UucpLock() {
   if (!file_.empty() && owner_in(file_) == ::getpid()) ::unlink(file_.c_str());
 }
 
-// Ten digits and a newline, as all these programs write it.
+// Creates the lock file: ten digits and a newline, as all these programs write it.
 bool UucpLock::create() const {
   constexpr int kFlags = O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC;
   constexpr ::mode_t kForAll = 0644;

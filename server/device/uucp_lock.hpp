@@ -1,4 +1,4 @@
-// The lock file by which programs for serial ports, such as minicom, keep each other away from a
+// The lock file by which programs for serial ports, such as minicom, exclude each other from a
 // port: `LCK..ttyUSB0` with the number of the process that uses it.
 #pragma once
 
@@ -20,7 +20,7 @@ class UucpLock {
  private:
   bool create() const;
 
-  std::string file_;  ///< empty: nothing is locked
+  std::string file_;  ///< empty if nothing is locked
 };
 
 }  // namespace xr3

@@ -19,7 +19,7 @@ enum class Existing : std::uint8_t { kKeep, kReplace };
 /// the target, and the destructor removes it. Each function throws FileError.
 class Draft {
  public:
-  /// Follows symbolic links. The target does not exist, or is a regular file.
+  /// Begins a draft. Follows symbolic links. The target must not exist, or be a regular file.
   explicit Draft(const std::filesystem::path& target);
   Draft(const Draft&) = delete;
   Draft& operator=(const Draft&) = delete;
@@ -48,7 +48,8 @@ class Draft {
 bool write_file_atomically(const std::filesystem::path& path, const std::string& text,
                            Existing existing, const std::function<void(const DataFile&)>& check);
 
-/// The same, over an existing file and without a check.
+/// Writes the text to a file like write_file_atomically(), over an existing file and without a
+/// check.
 void write_file(const std::filesystem::path& path, const std::string& text);
 
 }  // namespace xr3

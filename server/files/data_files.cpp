@@ -20,13 +20,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Refuses a wrong path, such as a disk image, before reading it.
+// Maximum size of a data file. Refuses a wrong path, such as a disk image, before reading it.
 constexpr std::size_t kLargestFile = 4 * 1024 * 1024;
 
-// For a pipe, such as the shell makes for <(command).
+// Maximum time for the next bytes of a pipe, such as the shell makes for <(command).
 constexpr int kMaxWaitMs = 10'000;
 
-// Editors on Windows may write one.
+// Editors on Windows may write a byte order mark.
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 std::string list_of_names(const std::string& kind) {
@@ -114,7 +114,7 @@ std::vector<std::string> names_of_data_files(const std::string& kind) {
   return names;
 }
 
-// In an installation, or in a checkout.
+// The folder of exercises, in an installation or in a checkout.
 fs::path exercises_folder() {
   const fs::path data = data_folder();
   std::error_code error;

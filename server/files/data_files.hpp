@@ -1,4 +1,15 @@
 // Finds robot and workcell files, by path or by the name of one installed with xr3, and reads them.
+//
+// The flow through the folder: a command line names a robot, a workcell, a fault file, goals or an
+// exercise. find_data_file() decides whether that is a path or the name of an installed file, finds
+// the data folder, and read_file() reads a file, pipe or device within limits of size and time.
+// load_model.hpp joins robot and workcell to a Model, with the loaders of protocol/files, which
+// accept the JSON and the plain form. Files are written by atomic_write.hpp: a complete draft in
+// the folder of the target is renamed, so that a reader never gets half a file. The port file
+// (port_file.hpp) is such a file, removed at the end. raster.hpp and png.hpp turn a picture of
+// tools/drawing, or an image of the camera, into PNG bytes. descriptor.hpp owns file descriptors;
+// sha256.cpp defines the digest that cell declares. All errors of files are a FileError, whose
+// message names the file and the reason.
 #pragma once
 
 #include <filesystem>
@@ -19,7 +30,7 @@ struct DataFile {
 /// for the next bytes of a pipe. Throws FileError.
 DataFile read_file(const std::filesystem::path& path);
 
-/// Whether find_data_file() takes this for a path.
+/// Whether find_data_file() treats the text as a path.
 bool is_data_path(const std::string& what);
 
 /// `what` is a path if it contains a slash or ends in .json, .txt or .dat; else the name of a file

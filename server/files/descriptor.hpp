@@ -10,7 +10,7 @@
 
 namespace xr3 {
 
-/// Owns a file descriptor; negative: none.
+/// Owns a file descriptor; negative if there is none.
 class Descriptor {
  public:
   explicit Descriptor(int number = -1) : number_(number) {}
@@ -31,7 +31,8 @@ class Descriptor {
   int number_;
 };
 
-/// Writes all bytes to a file or pipe that blocks. Returns whether it could; errno tells why not.
+/// Writes all bytes to a file or pipe that blocks. Returns whether it succeeded; if not, errno has
+/// the error.
 inline bool write_all(int file, std::string_view bytes) {
   while (!bytes.empty()) {
     const auto count = retry_interrupted([&] { return ::write(file, bytes.data(), bytes.size()); });

@@ -11,12 +11,12 @@ namespace xr3 {
 
 struct ModelFiles {
   std::string robot;     ///< name or path
-  std::string workcell;  ///< name or path; empty: the one with the robot's name
+  std::string workcell;  ///< name or path; empty for the one with the robot's name
   Profile profile = Profile::kPaper;
-  OptionSources option_sources = {};  ///< where the user chose the files, for messages
+  OptionSources option_sources = {};  ///< sources of the names of the files, for messages
 };
 
-/// Accepts both forms of files. Throws FileError and DataError.
+/// Loads robot and workcell, each in either form. Throws FileError and DataError.
 ModelPtr load_model(const ModelFiles& files);
 
 /// The robot with the name of a workcell file, if there is one: blocks are checked against it.

@@ -14,26 +14,26 @@ namespace xr3 {
 struct ServedCell {
   std::string name;
   std::uint16_t robot = 0;
-  std::string token;  ///< of this cell; empty: none
+  std::string token;  ///< token of this cell; empty if there is none
 };
 
 struct ServedPorts {
   std::uint16_t robot = 0;
   std::uint16_t monitor = 0;
-  std::string token;  ///< generated for this run; empty: none
+  std::string token;  ///< generated for this run; empty if there is none
   std::vector<ServedCell> cells;
 };
 
-/// A port file that exists as long as this object.
+/// A port file that exists during the lifetime of this object.
 class PortFile {
  public:
   /// Writes {"robot":9600,"monitor":9601,"pid":...,"cells":[{"name":"main","robot":9600}]}, with
-  /// the tokens if there are any; then only the owner could read the file at any time. Replaces a
+  /// the tokens if there are any; then only the owner can read the file at any time. Replaces a
   /// symbolic link instead of following it. Throws FileError if it cannot be written.
   PortFile(std::string path, const ServedPorts& ports);
   PortFile(const PortFile&) = delete;
   PortFile& operator=(const PortFile&) = delete;
-  /// Removes the file, unless another one has its name now.
+  /// Removes the file, unless another one has replaced it.
   ~PortFile();
 
  private:
@@ -45,7 +45,7 @@ class PortFile {
   ::ino_t inode_ = 0;
 };
 
-/// The monitor port in such a file. Throws FileError.
+/// The monitor port in a port file. Throws FileError.
 std::uint16_t read_monitor_port(const std::string& path);
 
 }  // namespace xr3

@@ -1,5 +1,5 @@
 // Rasterizes a picture: anti-aliased lines with round ends, by the distance of each pixel's centre
-// from the line. Why we do not use a library: docs/decisions/0007-pictures.md.
+// from the line. docs/decisions/0007-pictures.md has the reasons for not using a library.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ struct Raster {
   std::vector<Rgb> pixels;  ///< row by row from the top
 };
 
-/// Lines are clipped at the edges.
+/// Rasterizes the lines, clipped at the edges.
 Raster rasterized(const Picture& picture);
 
 }  // namespace xr3

@@ -21,15 +21,15 @@ class Pictures {
   asio::awaitable<Body> png(ImagePtr image);
 
  private:
-  struct Picture {
+  struct Encoded {
     ImagePtr image;
     Body body;
   };
 
   Worker& worker_;
   Exclusive compressing_;
-  Picture bitmap_;
-  Picture png_;
+  Encoded bitmap_;
+  Encoded png_;
 };
 
 }  // namespace xr3::http

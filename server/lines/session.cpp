@@ -37,7 +37,7 @@ LineSession::Turn LineSession::read_and_act(WallNs now) {
   const std::size_t count = read(wanted);
   act({context_.turns.scratch().data(), count}, end, now);
   const Turn after = flush(end);
-  const bool may_have_more = count == wanted || (count > 0 && is_ending_);
+  const bool may_have_more = count == wanted || (count > 0 && (is_ending_ || stream_->has_more()));
   return after == Turn::kDrained && may_have_more ? Turn::kMore : after;
 }
 
@@ -111,8 +111,7 @@ LineSession::Turn LineSession::flush(WallNs end) {
   const auto is_done = [&] { return line.outbox().empty() && pending_.empty(); };
   while (!is_done()) {
     if (line.outbox().empty() && !accepts_pending()) {  // suspended replies, or the device
-      const bool may_end = is_ending_ || stream_->is_hung_up();
-      if (!may_end || line.has_input_ended()) return Turn::kBlocked;
+      if (!is_ending_ || line.has_input_ended()) return Turn::kBlocked;
       end_input();
     }
     const std::size_t count = line.outbox().empty() ? 0 : stream_->write(line.outbox());

@@ -44,12 +44,12 @@ class LineSession {
   enum class Turn : std::uint8_t {
     kDrained,  ///< all bytes have been read and executed, all replies sent
     kMore,     ///< there may be more to do now
-    kBlocked,  ///< until there is news: the client reads no replies, or the line waits, or is closed
+    kBlocked,  ///< until there is news: replies are not read, the line waits, or it is closed
   };
 
   /// Sends what can be sent, then reads and executes at most kBytesATurn bytes, or as many as fit
-  /// into kTurnTime. A turn that ends later does so by one piece of 64 bytes, or by one full outbox.
-  /// The clock does not affect the state: it only decides which bytes belong to the next turn.
+  /// into kTurnTime, and one piece of 64 bytes or one full outbox more. The clock does not affect
+  /// the state: it only decides which bytes belong to the next turn.
   Turn run_turn(WallNs now);
   /// An image costs a thousand times as much as the byte that requests it.
   static constexpr WallNs kTurnTime = 150'000;

@@ -12,11 +12,6 @@ constexpr const char* kLinesName = "the serial lines";
 // The time of arrived bytes until other ports have their turns.
 constexpr WallNs kPiece = 500'000;
 
-// Maximum number of further rounds of settling and reading. A pseudo-terminal holds at most 22 KiB,
-// of which a round gives 4095 bytes; the end of a line and the start of the next take one each.
-// More only come from programs that go on meanwhile.
-constexpr int kMaxRounds = 12;
-
 /// While it exists, the timer is cancelled when bytes of the line have acted.
 class Waiting {
  public:
@@ -108,36 +103,16 @@ asio::awaitable<void> LineSessions::read(ArrivedBytes bytes) {
   while (vital(kLinesName, read_some)) co_await turns_.pause();
 }
 
-asio::awaitable<void> LineSessions::settle() {
-  for (LineSource* source : sources_) co_await source->settle();
-}
-
-std::uint64_t LineSessions::progress() const {
-  std::uint64_t sum = 0;
-  for (const LineSource* source : sources_) sum += source->progress();
-  return sum;
-}
-
 asio::awaitable<void> LineSessions::read_arrived() {
-  const std::uint64_t before = progress();
-  co_await settle();
+  for (LineSource* source : sources_) co_await source->settle();
   co_await read(
       vital(kLinesName, [this] { return arrived([](const LineSession&) { return true; }); }));
-  if (progress() == before) co_return;
-  for (LineSource* source : sources_)
-    if (source->progress() > 0) co_await read_rest(*source);
 }
 
-// Settles and reads until nothing more is found.
-asio::awaitable<void> LineSessions::read_rest(LineSource& source) {
-  for (int round = 0; round < kMaxRounds; ++round) {
-    const std::uint64_t before = source.progress();
-    co_await source.settle();
-    co_await read(vital(kLinesName, [&, this] {
-      return arrived([&source](const LineSession& each) { return &each.source() == &source; });
-    }));
-    if (source.progress() == before) co_return;
-  }
+asio::awaitable<void> LineSessions::read_lines_of(const LineSource& source) {
+  co_await read(vital(kLinesName, [&, this] {
+    return arrived([&source](const LineSession& each) { return &each.source() == &source; });
+  }));
 }
 
 asio::awaitable<bool> LineSessions::wait_for_bytes(LineId id, std::uint64_t bytes_in,

@@ -37,6 +37,8 @@ class LineSessions final : public LineTransports {
                              const LineOpened& opened, PeerCounts::Place place = nullptr);
 
   asio::awaitable<void> read_arrived() override;
+  /// Applies the bytes of this source that can be read.
+  asio::awaitable<void> read_lines_of(const LineSource& source);
   void run_turns() override { turns_.run_turns(); }
   asio::awaitable<bool> wait_for_bytes(LineId line, std::uint64_t bytes_in,
                                        std::chrono::milliseconds within) override;
@@ -72,9 +74,6 @@ class LineSessions final : public LineTransports {
   void accept_arrived();
   ArrivedBytes arrived(const std::function<bool(const LineSession&)>& matches);
   asio::awaitable<void> read(ArrivedBytes bytes);
-  asio::awaitable<void> settle();
-  std::uint64_t progress() const;
-  asio::awaitable<void> read_rest(LineSource& source);
 
   LineTurns& turns_;
   Cell& cell_;

@@ -56,8 +56,12 @@ void LineTurns::close_greediest() { greediest()->close(LineCloseReason::kMemory)
 
 // --- Turns.
 
+// (g++ 12 generates wrong code for co_await in the condition of a loop.)
 asio::awaitable<void> LineTurns::run() {
-  while (co_await watch_.wait()) run_turns();
+  for (bool has_news = true; has_news;) {
+    has_news = co_await watch_.wait();
+    if (has_news) run_turns();
+  }
 }
 
 void LineTurns::run_due_turns() {

@@ -26,11 +26,9 @@ bool concerns_past(const monitor::CallRequest& wanted) {
                    monitor::Branch>(wanted.call);
 }
 
-bool moves_time(const call::Call& call) { return holds_any<call::Step, call::RunUntil>(call); }
-
 bool moves_time(const monitor::CallRequest& wanted) {
   const auto* call = std::get_if<call::Call>(&wanted.call);
-  return call != nullptr && moves_time(*call);
+  return call != nullptr && call::traits_of(*call).moves_time;
 }
 
 call::Refused timeout(const monitor::After& after, std::uint64_t bytes_in) {
@@ -51,13 +49,6 @@ std::optional<monitor::RequestError> validate_snapshot(const monitor::RequestId&
   if (details.empty()) return std::nullopt;
   return monitor::RequestError{id, "bad_args", "the snapshot does not fit the robot",
                                "nothing was changed", std::move(details)};
-}
-
-/// Whether a call can make a cell larger for good.
-bool enlarges(const call::Call& call) {
-  const auto* save = std::get_if<call::SaveSnapshot>(&call);
-  return holds_any<call::AddBlock, call::ReplaceWorkcell, call::LoadSnapshot>(call) ||
-         (save != nullptr && !save->name.empty());
 }
 
 Json value_with_faults(const Cell& cell) {
@@ -161,7 +152,7 @@ monitor::Message MonitorService::call_cell(HostedCell& at, monitor::Request& req
 /// One cell is bounded by its own limits; many together are bounded here.
 bool MonitorService::may_enlarge(const call::Call& call) const {
   const bool is_bounded = memory_ != nullptr && !cells_.is_single();
-  return !is_bounded || !enlarges(call) || !memory_->is_exceeded();
+  return !is_bounded || !call::traits_of(call).enlarges || !memory_->is_exceeded();
 }
 
 monitor::Message MonitorService::done(HostedCell& at, const monitor::Request& request,
@@ -172,9 +163,9 @@ monitor::Message MonitorService::done(HostedCell& at, const monitor::Request& re
   Json value = value_now(cell);
   if (done.reached) value["reached"] = *done.reached;
   if (done.ran_ticks) value["ran_ticks"] = *done.ran_ticks;
-  if (holds_any<call::SetFault, call::ClearFault>(call))
-    return monitor::result(request.id, value_with_faults(cell));
-  if (moves_time(call)) value["state"] = state_json(cell.model(), cell.snapshot(), wanted.fields);
+  const call::Traits traits = call::traits_of(call);
+  if (traits.returns_faults) return monitor::result(request.id, value_with_faults(cell));
+  if (traits.moves_time) value["state"] = state_json(cell.model(), cell.snapshot(), wanted.fields);
   if (done.saved) {
     const std::string name = snapshot_name(call);
     const bool is_inline = name.empty() && std::holds_alternative<call::SaveSnapshot>(call);

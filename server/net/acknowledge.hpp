@@ -9,8 +9,8 @@
 
 namespace xr3 {
 
-/// Acknowledges what a TCP connection has received. To be called after a read that causes no reply:
-/// the option does not last.
+/// Acknowledges the received bytes of a TCP connection. Call after each read that causes no reply:
+/// the option does not persist.
 inline void acknowledge_received(int descriptor) {
   constexpr int kYes = 1;
   ::setsockopt(descriptor, IPPROTO_TCP, TCP_QUICKACK, &kYes, sizeof kYes);

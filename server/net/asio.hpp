@@ -36,14 +36,15 @@ void when_expired(asio::steady_timer& timer, Act act) {
   });
 }
 
-/// The same at a wall time, to which the timer is set.
+/// Calls `act` at a wall time, to which the timer is set, unless it is cancelled or set again
+/// before.
 template <class Act>
 void run_at(asio::steady_timer& timer, WallNs moment, Act act) {
   timer.expires_at(as_time_point(moment));
   when_expired(timer, std::move(act));
 }
 
-/// The same after this time.
+/// Calls `act` after this time, unless the timer is cancelled or set again before.
 template <class Act>
 void run_after(asio::steady_timer& timer, asio::steady_timer::duration time, Act act) {
   timer.expires_after(time);

@@ -1,4 +1,4 @@
-// Mutual exclusion of coroutines of one event loop: one holds it, the others wait.
+// Mutual exclusion of coroutines of one event loop: one holds the mutex, the others wait.
 #pragma once
 
 #include <cassert>
@@ -15,13 +15,13 @@ class Exclusive {
 
   bool is_held() const { return is_held_; }
 
-  /// Resumes when nobody holds it, those that wait one after the other: if the caller takes hold of
-  /// it at once, the next one goes on waiting.
+  /// Waits until free, FIFO: if the caller takes hold at once, the next one continues to wait.
   asio::awaitable<void> until_free();
 
-  /// Holds it as long as it exists. Precondition: nobody else does.
+  /// Holds the mutex during its lifetime.
   class Hold {
    public:
+    /// Precondition: !is_held().
     explicit Hold(Exclusive& exclusive) : exclusive_(exclusive) {
       assert(!exclusive_.is_held_);
       exclusive_.is_held_ = true;
@@ -38,7 +38,7 @@ class Exclusive {
   };
 
  private:
-  asio::steady_timer freed_;  ///< never expires; cancelled to resume those that wait
+  asio::steady_timer freed_;  ///< never expires; cancelled to resume waiting coroutines
   bool is_held_ = false;
 };
 

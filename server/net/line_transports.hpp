@@ -1,4 +1,4 @@
-// The transports of the serial lines, as the monitor's calls need them.
+// The transports of the serial lines, in the form that the monitor's calls need.
 #pragma once
 
 #include <chrono>
@@ -14,15 +14,16 @@ class LineTransports {
  public:
   /// Applies every byte that has already arrived, including those of connections that are not
   /// accepted yet, as long as the line's replies can be sent. `step` and `run_until` call it first,
-  /// so that bytes sent before them act before them. Other handlers run meanwhile if it takes long.
+  /// so that bytes sent before them are executed before them. Other handlers run meanwhile if it
+  /// takes long.
   virtual asio::awaitable<void> read_arrived() = 0;
 
   /// Runs turns of lines that wait for one, for a fraction of a millisecond. It is cheap enough to
-  /// be called between writes to monitor sessions, so that a line never waits for a thousand of them.
+  /// be called between writes to monitor sessions: a line never waits for a thousand of them.
   virtual void run_turns() = 0;
 
-  /// Resumes when other handlers have run, callers one after the other. So others wait for one
-  /// piece of work at a time, however many callers work in pieces.
+  /// Resumes when other handlers have run, callers in order. So others wait for one piece of work
+  /// at a time, however many callers work in pieces.
   virtual asio::awaitable<void> pause() = 0;
 
   /// Waits until a line has received `bytes_in` bytes in total. Returns false if the time is over,

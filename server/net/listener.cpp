@@ -20,7 +20,7 @@ namespace {
 // Delay after the process has run out of descriptors: some may be closed by then.
 constexpr std::chrono::milliseconds kRetryAfter{100};
 
-// Connections accepted in one turn of the event loop, so that others need not wait for a thousand.
+// Connections accepted in one turn of the event loop, which bounds the wait of other handlers.
 constexpr int kConnectionsATurn = 4;
 
 // TCP keepalive: a dead peer is detected 60 s after its last byte.
@@ -28,9 +28,9 @@ constexpr int kIdleSeconds = 30;
 constexpr int kSecondsBetweenProbes = 10;
 constexpr int kProbes = 3;
 
-// The unread bytes of a connection that the kernel holds (it counts twice as many, for its own
-// needs). By itself it would take up to 4 MiB, outside of --max-memory, and the event loop would
-// copy as much for each of a thousand clients that do not read.
+// Maximum number of unread bytes of a connection that the kernel holds (it counts twice as many,
+// for its own needs). By default it would hold up to 4 MiB, outside of --max-memory, and the event
+// loop would copy as much for each client that does not read.
 constexpr int kSendBuffer = 128 * 1024;
 
 void set_option(tcp::acceptor& acceptor, int level, int name, int value) {
@@ -38,7 +38,7 @@ void set_option(tcp::acceptor& acceptor, int level, int name, int value) {
 }
 
 /// Sets the options that connections inherit when they are made (tests/server/net/listener_test.cpp
-/// checks it), so that none needs a system call for each.
+/// checks it), so that no connection needs a system call for each.
 void set_options(tcp::acceptor& acceptor) {
   set_option(acceptor, SOL_SOCKET, SO_KEEPALIVE, 1);
   set_option(acceptor, SOL_SOCKET, SO_SNDBUF, kSendBuffer);
@@ -95,7 +95,7 @@ ErrorCode Listener::adopt(int listening) {
   return error ? error : begin(std::move(acceptor));
 }
 
-/// Starts to accept.
+/// Starts accepting.
 ErrorCode Listener::begin(tcp::acceptor acceptor) {
   ErrorCode error;
   acceptor.non_blocking(true, error);
@@ -149,8 +149,9 @@ void Listener::note_failure(ErrorCode error) {
                 error.message());
 }
 
-// (Asio's accept() would make the event loop watch the connection: two system calls, which a line
-// does not need. It does not tell the peer of a connection that is lost already.)
+// Accepts one connection. (Asio's accept() would make the event loop watch the connection: two
+// system calls, which a line does not need. It does not return the peer of a connection that is
+// lost already.)
 ErrorCode Listener::accept_one(tcp::acceptor& acceptor) {
   tcp::endpoint peer;
   auto size = static_cast<socklen_t>(peer.capacity());

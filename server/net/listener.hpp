@@ -1,4 +1,15 @@
 // Accepts TCP connections: as they arrive, or all pending ones on request.
+//
+// The flow through the folder: a port binds its endpoints with a Listener, which accepts a few
+// connections per turn of the event loop and passes each to the port as a descriptor with options
+// set. socket_limits.hpp has divided the descriptors of the process among the ports, and
+// peer_counts.hpp limits the connections of one address; beyond either limit a connection is
+// refused. A connection of the monitor becomes a MonitorSocket (socket.hpp) with time limits; lines
+// use their own stream. A coroutine serves it: spawn.hpp starts it so that its exceptions end the
+// connection, while those of a loop end the process. memory_limit.hpp sums up what all connections
+// hold and closes the greediest beyond --max-memory. Long pure work is done in a worker thread
+// (worker.hpp). loop_lag.hpp measures the delay of the event loop, service_manager.hpp reports to
+// systemd. line_transports.hpp is the interface by which calls of the monitor reach the lines.
 #pragma once
 
 #include <functional>
@@ -14,7 +25,7 @@ namespace xr3 {
 std::string to_text(const tcp::endpoint& endpoint);
 
 /// A new connection: non-blocking, with TCP_NODELAY and TCP keepalive, which detects dead peers
-/// within 60 s. The event loop does not know it yet.
+/// within 60 s. The event loop does not watch it yet.
 struct NewConnection {
   Descriptor descriptor;
   tcp::endpoint peer;  ///< known even if the connection is lost already
@@ -33,16 +44,15 @@ class Listener {
   using Accepted = std::function<void(NewConnection)>;
 
   /// `accepted` is called with each new connection. If it throws boost::system::system_error, that
-  /// counts as a failure to accept.
-  /// `name` is a literal, for the log.
+  /// counts as a failure to accept. `name` is a literal, for the log.
   Listener(asio::io_context& io, const char* name, Accepted accepted)
       : io_(io), name_(name), accepted_(std::move(accepted)) {}
 
   /// Binds and starts to accept, in addition to the endpoints that are already open. Returns the
   /// error; the endpoint is then not open.
   ErrorCode listen(const tcp::endpoint& endpoint);
-  /// Accepts on a socket that listens already, and owns it from now on. Returns the error. (Clients
-  /// that have connected before are without keepalive.)
+  /// Adopts a socket that listens already, and accepts on it. Returns the error. (Clients that have
+  /// connected before are without keepalive.)
   ErrorCode adopt(int listening);
   /// The first endpoint that was opened.
   tcp::endpoint endpoint() const { return endpoint_; }
@@ -77,7 +87,7 @@ class Listener {
   Accepted accepted_;
   tcp::endpoint endpoint_;
   std::uint64_t failures_ = 0;
-  ErrorCode failure_;  ///< of the last attempt; none if it has succeeded
+  ErrorCode failure_;  ///< error of the last attempt; no error if it has succeeded
 };
 
 }  // namespace xr3

@@ -1,5 +1,6 @@
-// How late the event loop runs what is due, which is how long a client may wait for its turn: the
-// delay of a timer. It is set only while there is work, so that an idle process does not wake up.
+// The delay of the event loop: the time from when a handler is due until it runs, which a client
+// may have to wait for its turn. Measured as the delay of a timer, which is set only while there is
+// work, so that an idle process does not wake up.
 #pragma once
 
 #include <functional>
@@ -13,7 +14,7 @@ class LoopLag {
  public:
   /// Time from the setting of the timer until it is due.
   static constexpr WallNs kInterval = 50'000'000;
-  /// max_at() covers one to two of these.
+  /// Length of a window; max_at() covers one to two of them.
   static constexpr WallNs kWindow = 30'000'000'000;
 
   /// `is_busy` is called after a measurement; if true, the next one begins at once.

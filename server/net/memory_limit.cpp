@@ -19,8 +19,8 @@ std::size_t allocated_bytes() {
   return heap.uordblks + heap.hblkhd;
 }
 
-// Without a threshold of our own, the allocator raises its threshold up to 32 MiB, and freed blocks
-// of connections stay in the heap as holes: 700 MiB for 512 MiB in use.
+// Makes the allocator return freed blocks. Without a fixed threshold, it raises its threshold up to
+// 32 MiB, and freed blocks of connections stay in the heap as holes: 700 MiB for 512 MiB in use.
 void return_freed_blocks() {
   constexpr int kBlockBytes = 128 * 1024;
   ::mallopt(M_MMAP_THRESHOLD, kBlockBytes);
@@ -31,7 +31,7 @@ void MemoryLimit::note(std::size_t bytes) {
   if (noted_ >= kBytesApart) schedule();
 }
 
-// Not at once: the caller may be the connection that has to be closed.
+// Posts a check. Not at once: the caller may be the connection that has to be closed.
 void MemoryLimit::schedule() {
   noted_ = 0;
   if (std::exchange(is_scheduled_, true)) return;
@@ -41,7 +41,8 @@ void MemoryLimit::schedule() {
   });
 }
 
-// Measures again afterwards: several connections may have shared the bytes that one held.
+// Measures, closes connections, and measures again: several connections may have shared bytes of
+// one that was closed.
 void MemoryLimit::check() {
   const std::size_t allocated = allocated_bytes();
   if (allocated <= max_bytes_) return;
@@ -50,7 +51,7 @@ void MemoryLimit::check() {
                allocated >> 20);
 }
 
-/// Closes connections that hold so many bytes together, but at most kMaxClosed, since the search
+/// Closes connections that hold `excess` bytes together, but at most kMaxClosed, since the search
 /// for each takes some 20 us. Returns the bytes that they held.
 std::size_t MemoryLimit::close_some(std::size_t excess) {
   constexpr int kMaxClosed = 16;

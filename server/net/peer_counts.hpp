@@ -1,5 +1,5 @@
 // The number of connections of each peer address, with a limit (`--max-per-address`), so that one
-// machine cannot take every place.
+// machine cannot use every place.
 #pragma once
 
 #include <cstddef>
@@ -22,8 +22,8 @@ class PeerCounts {
   /// The place of one connection, until it is released; points to the peer's address.
   using Place = std::shared_ptr<const asio::ip::address>;
 
-  /// nullptr if the address has as many connections as it may have. The counts must outlive the
-  /// place.
+  /// Takes a place; nullptr if the address has its maximum of connections. The counts must outlive
+  /// the place.
   Place take(const asio::ip::address& peer);
 
  private:

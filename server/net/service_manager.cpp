@@ -27,7 +27,7 @@ using std::chrono::microseconds;
 constexpr const char* kSocket = "NOTIFY_SOCKET";
 constexpr const char* kTime = "WATCHDOG_USEC";
 constexpr const char* kProcess = "WATCHDOG_PID";
-// Signs of life are not more frequent than this.
+// Minimum time between signs of life.
 constexpr microseconds kMinPeriod{10'000};
 
 std::string variable(const char* name) {
@@ -35,7 +35,7 @@ std::string variable(const char* name) {
   return value == nullptr ? "" : value;
 }
 
-/// A whole number from 1; nullopt with a warning for another text.
+/// A whole number from 1; nullopt with a warning for any other text.
 std::optional<std::int64_t> number_in(const char* name, const std::string& text) {
   constexpr auto kMost = std::numeric_limits<std::int64_t>::max();
   if (const auto number = whole_number<std::int64_t>(text, 1, kMost)) return number;

@@ -1,6 +1,6 @@
 // Reports to a service manager such as systemd that the server is ready, alive or stopping:
 // datagrams to the socket in NOTIFY_SOCKET, as in sd_notify(3). Without that variable it does
-// nothing. Why not with libsystemd: docs/decisions/0015-service-manager.md.
+// nothing. docs/decisions/0015-service-manager.md has the reasons for not using libsystemd.
 #pragma once
 
 #include <chrono>
@@ -14,12 +14,12 @@ namespace xr3 {
 
 /// The settings that a service manager passes to its services in the environment.
 struct ServiceEnvironment {
-  std::string socket;  ///< path; with `@` first an abstract name; empty: there is no manager
+  std::string socket;  ///< path; an abstract name begins with `@`; empty if there is no manager
   std::optional<std::chrono::microseconds> watchdog;  ///< maximum time between two signs of life
 };
 
-/// From NOTIFY_SOCKET, and from WATCHDOG_USEC unless WATCHDOG_PID names another process. Values
-/// that make no sense count as absent and are logged.
+/// The environment from NOTIFY_SOCKET, and from WATCHDOG_USEC unless WATCHDOG_PID names another
+/// process. Invalid values count as absent and are logged.
 ServiceEnvironment service_environment();
 
 class ServiceManager {
@@ -31,7 +31,7 @@ class ServiceManager {
   /// Clients can connect. If the manager asks for signs of life, a timer sends them: each after all
   /// handlers that were ready in the event loop have run.
   void ready();
-  /// The server stops: no further sign of life.
+  /// Reports that the server stops; ends signs of life.
   void stopping();
 
  private:

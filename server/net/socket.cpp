@@ -18,8 +18,8 @@ using std::chrono::seconds;
 constexpr seconds kMaxStuck{30};
 constexpr milliseconds kMaxLinger{500};
 constexpr std::size_t kMaxLingerBytes = 16 * 1024 * 1024;
-// Bytes that the peer does not acknowledge end the connection. (TCP keepalive works only while none
-// are unacknowledged.)
+// Ends the connection if the peer does not acknowledge sent bytes. (TCP keepalive works only while
+// none are unacknowledged.)
 void limit_unacknowledged(tcp::socket& socket) {
   const int timeout = static_cast<int>(milliseconds(kMaxStuck).count());
   ::setsockopt(socket.native_handle(), IPPROTO_TCP, TCP_USER_TIMEOUT, &timeout, sizeof timeout);

@@ -26,13 +26,13 @@ class MonitorSocket {
   ~MonitorSocket();
 
   bool is_open() const { return socket_->is_open(); }
-  /// For users that do their own I/O (WebSocket).
+  /// The socket, for users that do their own I/O (WebSocket).
   tcp::socket& stream() { return *socket_; }
   asio::any_io_executor executor() const { return socket_->get_executor(); }
 
   /// Received bytes, valid until the next read. Acknowledges those of the last one, unless bytes
-  /// were sent after it. Empty if the client has stopped sending, or if the
-  /// connection is lost (is_open() is then false).
+  /// were sent after it. Empty if the client has stopped sending, or if the connection is lost
+  /// (is_open() is then false).
   asio::awaitable<std::string_view> read();
 
   /// Sends all bytes, then `more`. False if the connection is lost or the client accepted no byte
@@ -43,7 +43,7 @@ class MonitorSocket {
   /// connection and returns 0.
   std::size_t send_some(std::span<const asio::const_buffer> buffers);
 
-  /// For users that do their own I/O: they have received or queued so many bytes.
+  /// Counts bytes that users with their own I/O have received or queued.
   void note_bytes(std::size_t bytes) const { note(limit_, bytes); }
 
   /// Calls `ready` when more can be sent or the connection is lost, after at most 30 s.

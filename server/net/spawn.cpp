@@ -10,7 +10,7 @@
 namespace xr3 {
 namespace {
 
-// An exception thrown by a completion handler leaves io_context::run().
+// Ends a session; an exception thrown by a completion handler leaves io_context::run().
 void end_session(const char* name, const std::exception_ptr& failure) {
   try {
     if (failure) std::rethrow_exception(failure);

@@ -13,7 +13,7 @@ inline WallNs wall_now() {
   return std::chrono::duration_cast<std::chrono::nanoseconds>(since_start).count();
 }
 
-/// A wall time that is never reached.
+/// Sentinel: never.
 inline constexpr WallNs kNever = std::numeric_limits<WallNs>::max();
 
 /// Converts a moment for Asio's steady timers.

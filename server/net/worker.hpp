@@ -21,7 +21,9 @@ class Worker {
   ~Worker() { stop(); }
 
   /// Calls `work` in the thread, after all work that was begun before; resumes with its result or
-  /// its exception in the caller's event loop. What `work` refers to must exist until then.
+  /// its exception in the caller's event loop. Data that `work` refers to must exist until then.
+  /// The thread has a lower priority than the event loop's. Call from one
+  /// thread only.
   template <class Work>
   asio::awaitable<std::invoke_result_t<Work>> run(Work work) {
     const auto call = [](Work kept) -> asio::awaitable<std::invoke_result_t<Work>> {
@@ -30,8 +32,8 @@ class Worker {
     co_return co_await asio::co_spawn(thread_, call(std::move(work)), asio::use_awaitable);
   }
 
-  /// Waits for the work that runs now and drops the rest: the coroutines that wait for it are
-  /// destroyed, so what they refer to must still exist. For the end of the process.
+  /// Waits for the running work and drops the rest: the coroutines that wait for it are destroyed,
+  /// so data that they refer to must still exist. For the end of the process.
   void stop();
 
  private:

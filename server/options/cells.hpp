@@ -13,27 +13,27 @@ namespace xr3 {
 struct ServeOptions;
 
 inline constexpr std::size_t kMaxCellName = 32;
-/// Whether it has 1 to kMaxCellName characters, all of A-Z, a-z, 0-9, _ and -.
+/// Whether the name has 1 to kMaxCellName characters, all of A-Z, a-z, 0-9, _ and -.
 bool is_cell_name(std::string_view name);
 
 /// One `--cell NAME=ROBOT[,WORKCELL[,PORT]]`.
 struct CellChoice {
   std::string name;
   std::string robot;                  ///< name or path
-  std::string workcell;               ///< name or path; empty: the one with the robot's name
-  std::optional<std::uint16_t> port;  ///< 0: any free port; nullopt: by its place
+  std::string workcell;               ///< name or path; empty for the one with the robot's name
+  std::optional<std::uint16_t> port;  ///< 0 for any free port; nullopt for that of its place
   bool operator==(const CellChoice&) const = default;
 };
 
-/// Throws std::invalid_argument, with the allowed form.
+/// Parses the text of --cell. Throws std::invalid_argument, with the allowed form.
 CellChoice parse_cell(const std::string& text);
 
 /// A cell to open at the start.
 struct CellPlan {
   std::string name;
   std::string robot;       ///< name or path
-  std::string workcell;    ///< name or path; empty: the one with the robot's name
-  std::uint16_t port = 0;  ///< 0: any free port
+  std::string workcell;    ///< name or path; empty for the one with the robot's name
+  std::uint16_t port = 0;  ///< 0 for any free port
   bool operator==(const CellPlan&) const = default;
 };
 

@@ -16,9 +16,10 @@
 namespace xr3 {
 namespace {
 
-// With so much collected, it is written at once.
+// Size of collected lines at which they are written at once.
 constexpr std::size_t kMaxUnwritten = std::size_t{256} * 1024;
-// Servers that start within one second to record into one folder, or under one name.
+// Maximum number of servers that start within one second and record into one folder, or under one
+// name.
 constexpr int kMaxRunsOfASecond = 100;
 
 Descriptor new_file(const std::string& path) {
@@ -44,7 +45,7 @@ bool make_private_folder(const std::string& path) {
   throw FileError(path + ": the folder of the recordings cannot be made: " + std::strerror(errno));
 }
 
-/// `format` is that of strftime.
+/// A time in UTC; `format` is that of strftime.
 std::string utc_text(std::chrono::system_clock::time_point time, const char* format) {
   const std::time_t seconds = std::chrono::system_clock::to_time_t(time);
   std::tm utc{};
@@ -107,7 +108,7 @@ void RecordingFile::flush() {
     const std::size_t feed = unwritten_.rfind('\n', done == 0 ? 0 : done - 1);
     done = done == 0 || feed == std::string::npos ? 0 : feed + 1;
     const int failed = ::ftruncate(file_.get(), static_cast<::off_t>(written_ + done));
-    (void)failed;  // then the last line is incomplete, which readers accept
+    (void)failed;  // ignored: the last line is then incomplete, which readers accept
     unwritten_.resize(done);
   }
   written_ += done;

@@ -25,19 +25,19 @@ class RecordingFile {
  public:
   /// Makes the file. Throws FileError, also if there is one already.
   explicit RecordingFile(std::string path);
-  /// Writes what is left, and closes the file.
+  /// Writes the collected lines, and closes the file.
   ~RecordingFile() { flush(); }
 
   /// Adds a whole line.
   void add(std::string_view line);
-  /// Writes what has been added. After a failure the file ends with its last whole line, if
+  /// Writes the collected lines. After a failure the file ends with its last whole line, if
   /// possible.
   void flush();
 
   /// The size of the file when everything is written.
   std::uint64_t size() const { return written_ + unwritten_.size(); }
   const std::string& path() const { return path_; }
-  /// Why nothing more is written; empty if it is.
+  /// The reason why nothing more is written; empty while it is.
   const std::string& failure() const { return failure_; }
 
  private:

@@ -13,9 +13,9 @@
 namespace xr3 {
 namespace {
 
-// Input is in the file after this time at the latest.
+// Maximum time until an input is in the file.
 constexpr std::chrono::milliseconds kFlushAfter{100};
-// Kept free for the last line of a recording that has reached its limit.
+// Size reserved for the last line of a recording that has reached its limit.
 constexpr std::uint64_t kRoomForEnd = 200;
 constexpr std::uint64_t kMebibyte = 1U << 20U;
 
@@ -51,7 +51,7 @@ std::string Recording::header_line() {
   return line;
 }
 
-// The first line shows at once whether the file can be written.
+// Makes the file. The first line reveals at once whether the file can be written.
 void Recording::begin_file(const std::string& header) {
   file_.emplace(path_);
   file_->add(header);
@@ -113,7 +113,7 @@ std::string Recording::shortage() const {
   return limits_.room == nullptr ? "" : limits_.room->shortage(path_, wall_now());
 }
 
-// The cell may be in the middle of an input, so the event comes later.
+// Reports a failure. The cell may be executing an input, so the event is posted.
 void Recording::fail(std::string why) {
   if (std::exchange(is_over_, true)) return;
   asio::post(io_, [this, why = std::move(why)] { vital("the recording", [&] { report(why); }); });

@@ -1,5 +1,16 @@
-// Records a cell into a file while the server runs (`--record`). Each cell has one of its own. A
+// Records a cell into a file while the server runs (`--record`). Each cell has a file of its own. A
 // failure ends the recording, never the robot.
+//
+// The flow through the folder: the server makes a Recording for a cell before its first input. It
+// writes the header with robot, workcell and settings (protocol/recording/header.hpp), and adds
+// itself as a log of the cell: each input becomes an entry (cell/recording), each entry a line of
+// JSON with a running check (protocol/recording/writer.hpp). RecordingFile (file.hpp) collects the
+// lines and writes them within a tenth of a second, without waiting for the disk; it makes only new
+// files, for their owner alone. RecordingRoom (room.hpp) is shared by the recordings of all cells:
+// it limits their total and keeps space on the disk free. When a limit is reached, or a write
+// fails, the recording ends with a last line that says so, an event goes to the log and to the
+// monitor, and the cell continues. joint_table.hpp is independent of it: a table of joints over
+// time, for `xr3 replay --csv` and `xr3 exec --csv`.
 #pragma once
 
 #include <cstdint>
@@ -17,22 +28,23 @@
 namespace xr3 {
 
 struct RecordingLimits {
-  std::uint64_t max_bytes = 0;    ///< of the file
-  RecordingRoom* room = nullptr;  ///< shared with others, which must outlive them; nullptr: none
+  std::uint64_t max_bytes = 0;  ///< maximum size of the file
+  /// Shared with other recordings, which it must outlive; nullptr if there is none.
+  RecordingRoom* room = nullptr;
 };
 
 class Recording {
  public:
   /// Begins the file with the cell's header; without room for that it fails, and makes no file.
-  /// Precondition: no input has acted on the cell. `acted`: called after an event of the cell.
-  /// Throws FileError.
+  /// `acted`: called after an event of the cell. Throws FileError. Precondition: no input has been
+  /// applied to the cell.
   Recording(asio::io_context& io, Cell& cell, std::string path, RecordingLimits limits,
             std::function<void()> acted);
   Recording(const Recording&) = delete;
   Recording& operator=(const Recording&) = delete;
   ~Recording();
 
-  /// Ends the recording: the cell gets no more input.
+  /// Ends the recording. Call after the last input of the cell.
   void finish();
 
  private:
@@ -53,13 +65,13 @@ class Recording {
   std::string path_;
   RecordingLimits limits_;
   std::function<void()> acted_;
-  std::optional<RecordingFile> file_;  ///< unless there was no room for it
+  std::optional<RecordingFile> file_;  ///< nullopt if there was no room for it
   recording::RecordingWriter writer_;
   Recorder recorder_;
   asio::steady_timer timer_;
   bool is_timer_on_ = false;
   bool is_over_ = false;
-  recording::Entry last_;  ///< the end at the last entry, if no more fits
+  recording::Entry last_;  ///< the end after the last entry, written when no more fits
 };
 
 }  // namespace xr3

@@ -1,6 +1,7 @@
 // The room that the recordings of all cells in a run of the server share.
 #pragma once
 
+#include <cassert>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -10,12 +11,12 @@
 
 namespace xr3 {
 
-/// The bytes of a file system; of a `size` of 0 nothing is known.
+/// The bytes of a file system; a `size` of 0 if unknown.
 struct DiskSpace {
   std::uint64_t size = 0;
   std::uint64_t free = 0;  ///< for this user
 };
-/// The space of the file system in which a file is, or will be.
+/// The space of the file system of an existing or future file.
 DiskSpace disk_space(const std::string& path);
 
 class RecordingRoom {
@@ -28,7 +29,7 @@ class RecordingRoom {
 
   static constexpr WallNs kLookEvery = 1'000'000'000;
 
-  /// `max_bytes`: of all recordings together. `look_every`: the least time between two calls of
+  /// `max_bytes`: total of all recordings. `look_every`: minimum time between two calls of
   /// `space_of`, which may take long in a network.
   explicit RecordingRoom(std::uint64_t max_bytes, SpaceOf space_of = disk_space,
                          WallNs look_every = kLookEvery)
@@ -40,8 +41,11 @@ class RecordingRoom {
   std::string refusal(std::uint64_t bytes) const;
   /// The reason why files beside this one should not grow; empty if they may.
   const std::string& shortage(const std::string& path, WallNs now);
-  /// Precondition: they are not refused.
-  void take(std::uint64_t bytes) { taken_ += bytes; }
+  /// Takes bytes from the room. Precondition: refusal(bytes) is empty.
+  void take(std::uint64_t bytes) {
+    assert(refusal(bytes).empty());
+    taken_ += bytes;
+  }
 
  private:
   std::uint64_t max_bytes_;

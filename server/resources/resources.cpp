@@ -68,7 +68,7 @@ bool is_websocket_key(std::string_view key) {
          key.find_first_not_of(kLetters) == key.size() - 2;
 }
 
-/// The token that a request carries (RFC 6750, section 2.1); nullopt: none, or several.
+/// The token that a request carries (RFC 6750, section 2.1); nullopt if it has none, or several.
 std::optional<std::string_view> bearer_token(const HttpRequest& request) {
   constexpr std::string_view kScheme = "Bearer ";
   const auto values = request.values("Authorization");
@@ -210,8 +210,8 @@ CellPtr HttpResources::cell_of(const HttpRequest& request) const {
   return service_.cells().is_empty() ? nullptr : service_.cells().all().front();
 }
 
-/// The error response if a page or session for an unknown cell is requested. With --private nobody
-/// learns the names of cells without a token: the session gets no cell instead.
+/// The error response if a page or session for an unknown cell is requested. With --private the
+/// names of cells are secret without a token: the session gets no cell instead.
 std::optional<Answer> HttpResources::refuse_cell(const HttpRequest& request) const {
   const bool is_known = !request.parameter("cell") || cell_of(request);
   if (is_known || policy_.is_private()) return std::nullopt;

@@ -34,8 +34,8 @@ class HttpResources {
   /// The error response for a forbidden Host, Origin or method, or an invalid target; else nullopt.
   std::optional<http::Answer> refuse(const http::HttpRequest& request) const;
 
-  /// The answer to a request that refuse() accepts. Waits for /camera.png, which the worker makes, and
-  /// for /metrics, which advances all cells.
+  /// The answer to a request that refuse() accepts. Waits for /camera.png, which the worker makes,
+  /// and for /metrics, which advances all cells.
   asio::awaitable<http::Answer> answer(const http::HttpRequest& request);
 
   /// Whether the request asks for /healthz or /readyz.

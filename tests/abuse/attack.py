@@ -1,6 +1,6 @@
-"""Attacks, each with a bound. The attack of an `Attack` runs in this process, on a server of its own; that of a `Beside`
-runs in a process of its own, while a well-behaved client measures, and its rounds follow each other on one server,
-under the same load."""
+"""Attacks, each with a bound. The attack of an `Attack` runs in this process, on a server of its own; that of a
+`Beside` runs in a process of its own, while a well-behaved client measures, and its rounds follow each other on one
+server, under the same load."""
 
 import contextlib
 import dataclasses
@@ -15,10 +15,11 @@ import typing
 
 from cells import LARGEST, Cell
 from serial_ports import NoPort
-from support import DEADLINE_S, SHUTDOWN_S, Server
+from support import DEADLINE_S, Server
 
 FOLDER = pathlib.Path(__file__).parent
 LATE_MS = 20  # see SECURITY.md
+STOP_S = 1.0
 MEASURED_S = 0.5  # of each round: five hundred inquiries, a hundred pings
 MOST_WAIT_S = 90  # more than the patience of the victim
 MIB = 1 << 20
@@ -53,10 +54,9 @@ class Attack(Alone):
 @dataclasses.dataclass(frozen=True)
 class Beside:
     """The processor time of the server's event loop between an inquiry of another line and its reply, which 99 of 100
-    keep beside a load. The load goes on when SIGTERM stops the server after the last round, which must take at most two
-    seconds. `port`: a serial port of the server. `victim`: `line`, or `pty` for a line on the last pseudo-terminal of
-    the server, or `session` for pings on the monitor port, where the inquiries of a line go to a device, or `step` for
-    steps of time."""
+    keep beside a load. The load goes on when SIGTERM stops the server after the last round. `port`: a serial port of
+    the server. `victim`: `line`, or `pty` for a line on the last pseudo-terminal of the server, or `session` for pings
+    on the monitor port, where the inquiries of a line go to a device, or `step` for steps of time."""
     name: str
     load: typing.Callable
     cell: str = LARGEST
@@ -75,9 +75,9 @@ class Beside:
                 Server(*options, *port.options, *self.options, clock=self.clock) as xr3:
             with victim_process(xr3, self.victim) as victim, load_process(self.name, xr3, port) as load:
                 yield lambda: measured_beside(xr3, victim, load)
-                code = xr3.stop(within_s=SHUTDOWN_S)
-            if code != 0:
-                raise AssertionError(f"the server ended with {code}")
+                end = stopped(xr3)
+            if end.value > STOP_S:
+                raise AssertionError(f"the server worked {end.value:.2f} s after SIGTERM; {end.note}")
 
 
 def measured_beside(xr3, victim, load):
@@ -93,18 +93,25 @@ def measured_beside(xr3, victim, load):
                                  f"{waits['p99']:.1f}, max {waits['max']:.1f}; {busy:.0%} of a core, {peak:.0f} MiB")
 
 
+def stopped(xr3):
+    """Sends SIGTERM. The processor time until the server has ended: with the second in which it waits for the last
+    replies to be read, it may take two."""
+    with open(os.pidfd_open(xr3.pid), "rb") as ended:
+        started, before = time.monotonic(), cpu_s(xr3.pid)
+        xr3.process.terminate()
+        if not select.select([ended], [], [], DEADLINE_S)[0]:
+            xr3.process.kill()
+        took_s, worked_s = time.monotonic() - started, cpu_s(xr3.pid) - before
+    code = xr3.process.wait()
+    if code != 0:
+        raise AssertionError(f"the server ended with {code} after {took_s:.1f} s")
+    return Measured(worked_s, f"by the wall clock {took_s:.2f}")
+
+
 def cpu_s(pid):
     """Seconds of processor time that a process has used."""
     fields = pathlib.Path(f"/proc/{pid}/stat").read_text(encoding="ascii").rpartition(")")[2].split()
     return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
-
-
-def waited_s(pid):
-    """Seconds for which the main thread of a process could have worked, and had to wait for a core."""
-    try:
-        return int(pathlib.Path(f"/proc/{pid}/schedstat").read_text(encoding="ascii").split()[1]) / 1e9
-    except FileNotFoundError:  # a kernel that does not count
-        return 0.0
 
 
 def busy_share(xr3):

@@ -1,15 +1,13 @@
 """Connections: the end of a server with many clients, a server without descriptors, and clients that come and go."""
 
 import contextlib
-import os
-import select
 import socket
 import time
 import urllib.error
 import urllib.request
 
 import websocket
-from attack import Attack, Measured, busy_share, waited_s
+from attack import STOP_S, Attack, Measured, busy_share, stopped
 from cells import LARGEST, Cell
 from lines import MANY_LINES
 from memory import send_greedily
@@ -18,8 +16,8 @@ from target import RESET, Target, connect, get, json_line
 
 MANY_PAGES = 1000
 CHECKS = 20
+CHECK_S = 5  # room for a busy machine; a quiet one takes some ms
 FEW_DESCRIPTORS = 64
-STOP_S = 2.0
 STRICTLY = 3000
 MOST_PLACES = 1100  # more than either port has
 OTHER_ADDRESS = "127.0.0.2"
@@ -43,13 +41,13 @@ def status(port, path):
 
 
 def missed_checks(port):
-    """The number of health checks without an answer within a second. /readyz may answer that no line is free."""
+    """The number of health checks without an answer in time. /readyz may answer that no line is free."""
     missed = 0
     for number in range(CHECKS):
         started = time.monotonic()
         code, body = ask(port, ("/healthz", "/readyz")[number % 2])
         is_answered = code == 200 or number % 2 == 1 and b'"not_ready"' in body
-        missed += not is_answered or time.monotonic() - started > 1.0
+        missed += not is_answered or time.monotonic() - started > CHECK_S
     return Measured(missed, f"of {CHECKS}")
 
 
@@ -57,8 +55,7 @@ def missed_checks(port):
 
 
 def stop(name, opener, data, clients=MANY_PAGES):
-    """The time from SIGTERM to the end, with many clients that read nothing, without what the server waited for a
-    core."""
+    """The end of the server with many clients that read nothing."""
     def measure():
         with contextlib.ExitStack() as stack:
             options = stack.enter_context(Cell(LARGEST))
@@ -66,17 +63,7 @@ def stop(name, opener, data, clients=MANY_PAGES):
             target = Target(xr3.robot_port, xr3.monitor_port)
             for _ in range(clients):
                 send_greedily(stack.enter_context(opener(target)), data)
-            ended = os.pidfd_open(xr3.pid)
-            stack.callback(os.close, ended)
-            started, before = time.monotonic(), waited_s(xr3.pid)
-            xr3.process.terminate()
-            if not select.select([ended], [], [], DEADLINE_S)[0]:
-                xr3.process.kill()
-            took_s, waited = time.monotonic() - started, waited_s(xr3.pid) - before
-            code = xr3.process.wait()
-            if code != 0 and took_s < DEADLINE_S:
-                raise AssertionError(f"the server ended with {code}")
-            return Measured(took_s - waited, f"{waited:.2f} s without a core")
+            return stopped(xr3)
     return Attack(f"stop.{name}", STOP_S, "s", measure)
 
 
@@ -119,19 +106,17 @@ def full_health():
 
 
 def full_recovery():
-    """The time from the end of the clients to the first request and inquiry that are served, without what the server
-    waited for a core."""
+    """The time from the end of the clients to the first request and inquiry that are served."""
     with full_server() as (xr3, socks):
         status(xr3.monitor_port, "/state")
         for sock in socks:
             sock.close()
-        started, before = time.monotonic(), waited_s(xr3.pid)
+        started = time.monotonic()
         while status(xr3.monitor_port, "/state") != 200:
             pass
         while not _is_served(xr3.robot_port):
             pass
-        took_s, waited = time.monotonic() - started, waited_s(xr3.pid) - before
-        return Measured(took_s - waited, f"{waited:.2f} s without a core")
+        return Measured(time.monotonic() - started)
 
 
 def _is_served(port):
@@ -219,7 +204,7 @@ ATTACKS = [
     stop("websocket-images", frames, websocket.text("get", channel="image") * IMAGES),
     Attack("full.cpu", 5, "% of a core", full_cpu),
     Attack("full.health-checks", 0, "missed", full_health),
-    Attack("full.recovery", 1, "s", full_recovery),
+    Attack("full.recovery", CHECK_S, "s", full_recovery),
     Attack("crowd.silent", 0, "missed", crowded_health(b"")),
     Attack("crowd.http", 0, "missed", crowded_health(b"GET /sta")),
     Attack("crowd.json", 0, "missed", crowded_health(b'{"op":"ping"}\n')),

@@ -134,7 +134,8 @@ class Grown(Alone):
 @dataclasses.dataclass(frozen=True)
 class Stopped(Alone):
     """The processor time of the server's event loop from the call device_stop to the arrival of its bytes at the device,
-    which 99 of 100 calls keep, while lines flood the device. This process reads the device's end, so that the load's device must be read_nothing()."""
+    which 99 of 100 calls keep, while lines flood the device. This process reads the device's end, so that the load's
+    device must be read_nothing()."""
     name: str
     load: typing.Callable
     stops: int = 200

@@ -12,7 +12,7 @@ from cells import HEAPED, MOST_PIXELS
 from target import MOST_AT_ONCE, PING, call, json_line
 
 MANY_LINES = 60  # the default limit is 64
-STEPPERS = 100
+STEPPERS = 16
 PR_SET_PDEATHSIG = 1
 SMALL_BUFFER = 4096
 STEP_MS, CROWDED_STEP_MS = 250, 1500

@@ -1,6 +1,6 @@
 """The memory that clients make the server take: a connection at most 1 MiB, beyond the one message made for it alone
-if it asks for that; as many of the greediest as there may be at most the cap; a request at most 1 MiB beyond eight times its bytes;
-calls that change the workcell nothing that stays, and the past of a cell no more than its limit."""
+if it asks for that; as many of the greediest as there may be at most the cap; a request at most 1 MiB beyond ten
+times its bytes; calls that change the workcell nothing that stays, and the past of a cell no more than its limit."""
 
 import contextlib
 import select
@@ -95,7 +95,8 @@ def follower(target, number):
     others = [json_line("sub", channel=channel, max_hz=60) for channel in OTHER_CHANNELS]
     sock.sendall(b"".join([json_line("sub", channel="state", max_hz=60, fields=permutation(number)), *others]))
     if number % 10 == 0:
-        target.line().sendall(MOVES)
+        with target.line() as mover:
+            mover.sendall(MOVES)
     return sock
 
 
@@ -129,13 +130,13 @@ def calls(name, bound, request, count, cell=LARGEST, options=("--history", 0)):
 
 
 def request_cost(name, data):
-    """The peak of memory for one request, over the eight times its bytes that docs/monitor.md promises."""
+    """The peak of memory for one request, over the ten times its bytes that docs/monitor.md promises."""
     def measure():
         with serving(SHIPPED) as (xr3, target), target.ask(call("describe")) as sock:
             before = peak_mib(xr3)
             sock.sendall(data)
             sock.makefile("rb").readline()
-            return Measured(peak_mib(xr3) - before - 8 * len(data) / MIB, f"{len(data)} bytes")
+            return Measured(peak_mib(xr3) - before - 10 * len(data) / MIB, f"{len(data)} bytes")
     return Attack(f"memory.request-{name}", 1, "MiB", measure)
 
 

@@ -4,7 +4,8 @@
 // in each run). A reply has the time of its arrival in the kernel, so that a late client is not a
 // late server. Linux only. Usage: bench_cells XR3 [CELLS [SECONDS [BOUND_MS [OPTION...]]]], with
 // options of `xr3 serve`. Exit code 1 if more than 1 of 100 replies take longer than the bound and
-// than five times what the loop's take: on a busy machine those are late, too.
+// than five times what the loop's take: on a busy machine those are late, too. Nothing is judged if
+// the server had to wait for a processor for more than a fifth of the time.
 #include <sys/epoll.h>
 #include <sys/socket.h>
 #include <unistd.h>
@@ -38,6 +39,7 @@ constexpr Ns kWarmUp = kSecond;
 constexpr long kMoveEvery = 10;  // inquiries
 constexpr double kMost_ms = 50;  // before a client asks again
 constexpr double kLikeTheLoop = 5;
+constexpr double kBusy = 0.2;
 constexpr std::string_view kInquiry = "E?";
 constexpr std::string_view kThere = "E+60\rD-60\rC+60\rE?";
 constexpr std::string_view kBack = "E-60\rD+60\rC-60\rE?";
@@ -248,6 +250,8 @@ bool run(const std::string& xr3, int cells, double seconds, double bound_ms,
   Load load(server.pid(), port_in(server.greeting(), "robot"), cells);
   const Figures figures = load.measure(seconds);
   print("xr3", figures);
+  if (figures.queued > kBusy)
+    return std::puts("not judged: other programs had the processors"), true;
   return judge("99 of 100 replies, ms", figures.ms(0.99),
                std::max(bound_ms, kLikeTheLoop * of_loop_ms));
 }

@@ -257,6 +257,7 @@ bool fairness(const Peers& peers, const Scale& scale) {
       "| server | lines | fewest | most | fewest / most | floor, best of %d |\n"
       "|---|---|---|---|---|---|\n",
       scale.fairness_s, kRounds);
+  share("epoll", peers.epoll, 1000 / scale.divisor, std::nullopt, scale.fairness_s);
   double best = 0;
   for (int i = 0; i < kRounds && best < kFloor; ++i)
     best = std::max(best, share("xr3", peers.xr3, 1000 / scale.divisor, kFloor, scale.fairness_s));

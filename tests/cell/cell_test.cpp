@@ -116,7 +116,7 @@ TEST(Cell, BoundsTheNumberOfBlocksButNotInAReplay) {
   lab.call(call::ReplaceWorkcell{workcell});
   const call::Outcome outcome = lab.call(call::AddBlock{block});
   EXPECT_EQ(std::get<call::Refused>(outcome).message, "a workcell has at most 256 blocks");
-  lab.cell.replay_to(0);
+  lab.cell.begin_replay();
   EXPECT_TRUE(std::holds_alternative<call::Done>(lab.call(call::AddBlock{block}, 0)));
 }
 

@@ -18,10 +18,10 @@ constexpr WallNs kNow = 0;
 
 class FrameCacheTest : public testing::Test {
  protected:
-  std::string get(const Selection& selection) {
-    const monitor::Frame* frame = frames_.frame(selection);
+  static std::string text_of(const monitor::Frame* frame) {
     return frame == nullptr ? "none" : *frame->message;
   }
+  std::string get(const Selection& selection) { return text_of(frames_.frame(selection)); }
   void apply(const call::Call& call) { cell_.apply(call, kNow); }
 
   Cell cell_{"main", test::rhino(), SimClock::manual(), nullptr};
@@ -34,7 +34,7 @@ constexpr Channel kChannels[] = {Channel::kState, Channel::kImage, Channel::kDis
 TEST_F(FrameCacheTest, CachesOfOneCellMakeEqualFrames) {
   FrameCache other(cell_);
   for (const Channel channel : kChannels)
-    EXPECT_EQ(get({channel, {}, {}}), *other.frame({channel, {}, {}})->message);
+    EXPECT_EQ(get({channel, {}, {}}), text_of(other.frame({channel, {}, {}})));
 }
 
 TEST_F(FrameCacheTest, CountsChangesAndKeepsUnchangedFrames) {

@@ -54,12 +54,12 @@ NEEDS = {
     "bash": ["command -v nc", "od --version", "awk 'BEGIN { exit }'"],
 }
 
-# Where 3_home starts: all joints but the jaws are beyond their switches (where these are open again in
+# The start of 3_home: all joints but the jaws are beyond their switches (where these are open again in
 # mark3), and the arm is folded back above its base.
 DISPLACED = {"F": 200, "E": -200, "D": 200, "C": -200, "B": -200, "A": 20}
-# How often an example may ask for counts if it pauses between two questions for longer than a move takes.
+# Maximum number of questions for counts of an example if it pauses between two questions for longer than a move takes.
 MOST_QUESTIONS = {"2_move_and_wait": 4, "4_two_joints": 8}
-MOVED_RED = {"centroid": [285, 25, 20], "yaw_deg": 35}  # where 6_find_and_pick must find it
+MOVED_RED = {"centroid": [285, 25, 20], "yaw_deg": 35}  # the place in which 6_find_and_pick must find it
 MOST_MM = 2  # tolerance for the place of a block that was found with the camera
 MOST_DEG = 3
 

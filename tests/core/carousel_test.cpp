@@ -12,6 +12,7 @@
 #include "core/inverse/inverse.hpp"
 #include "core/placement.hpp"
 #include "core/stall.hpp"
+#include "core/workcell.hpp"
 #include "core/workcell_edit.hpp"
 #include "tests/support/rig.hpp"
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/home.hpp"
+#include "core/workcell.hpp"
 #include "tests/support/models.hpp"
 
 namespace xr3 {

@@ -127,7 +127,7 @@ class Site:
         return problems
 
     def outside_links(self):
-        """The ordinary links that leave the site, each with its first page. Nobody follows them here."""
+        """The ordinary links that leave the site, each with its first page. They are not followed here."""
         found = {}
         for name, page in self.pages.items():
             for link in page.links:

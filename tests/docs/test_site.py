@@ -66,7 +66,7 @@ class BuiltSite(unittest.TestCase):
             self.none(self.site.naming(f"{ROOT}/{name}"))
 
     def test_the_site_shows_what_a_git_host_shows(self):
-        """The same headings, paragraphs, lists, cells and code as an implementation of CommonMark makes of the file."""
+        """Headings, paragraphs, lists, cells and code are those that an implementation of CommonMark makes of the file."""
         for name, path in sources().items():
             with self.subTest(name):
                 markdown = MarkdownIt("commonmark").enable("table").render(path.read_text(encoding="utf-8"))

@@ -22,7 +22,7 @@ from stream_seeds import streams
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 ESCAPE = re.compile(r"\\(x[0-9a-f]{2}|[rn0\\])")
 PLAIN = {"r": "\r", "n": "\n", "0": "\0", "\\": "\\"}
-MOST_BYTES = 0x40       # of one chunk
+MOST_BYTES = 0x40       # maximum of one chunk
 LONGEST_PASS = 0x80**2  # ticks of one chunk
 MOST_PACKED = 28_000    # bytes of corpus/NAME.txt
 

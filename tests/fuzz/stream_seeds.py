@@ -3,7 +3,7 @@
 import json
 import struct
 
-MOST_BYTES = 0xf0       # of one piece
+MOST_BYTES = 0xf0       # maximum of one piece
 RUN_UNIT = 32 * 1024    # bytes
 MOST_RUNS = 16
 HOST = b"Host: localhost:9601\r\n"

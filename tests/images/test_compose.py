@@ -147,7 +147,7 @@ class Student(unittest.TestCase):
         self.assertEqual(7, self.verdict("student", RUN="exit 7").returncode)
 
     def test_a_program_learns_nothing_at_the_monitor_port(self):
-        """It has no token, and without one the port shows no state."""
+        """The check has no token, and without one the port shows no state."""
         (self.folder / "peek.py").write_text(PEEK, encoding="utf-8")
         done = self.verdict(STUDENT=str(self.folder), RUN="python3 peek.py", CHECK="true")
         self.assertEqual(0, done.returncode, done.stdout + done.stderr)

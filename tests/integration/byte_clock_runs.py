@@ -18,7 +18,7 @@ COMMANDS = {
 # The programs pause between two inquiries: the more time an inquiry takes, the fewer they need.
 CLOCK = "bytes:500"
 RUN_S = 120
-PLACE = [392.0, 60.0]  # of the red block, in mm
+PLACE = [392.0, 60.0]  # place of the red block, in mm
 
 
 def build():
@@ -34,7 +34,7 @@ def fresh_run(xr3, monitor, command):
     done = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=RUN_S, check=False)
     assert done.returncode == 0, done.stdout + done.stderr
     end = time.monotonic() + DEADLINE_S
-    while monitor.call("lines")["lines"]:  # its end has not been read yet
+    while monitor.call("lines")["lines"]:  # the end of the line has not been read yet
         assert time.monotonic() < end, "its line does not close"
         time.sleep(0.005)
     state = monitor.get()

@@ -34,7 +34,7 @@ def programs_of(exercise):
 
 
 def quotes_missing(exercise, printed):
-    """What the sheet quotes from the judge, `...` for a gap, and the judge said to none of the wrong programs."""
+    """Quotes of the judge in the sheet, `...` for a gap, that the judge said to none of the wrong programs."""
     table = (exercise / "README.md").read_text(encoding="utf-8").partition("## Common mistakes")[2]
     quotes = [quote for row in MISTAKE.findall(table) for quote in QUOTE.findall(row)]
     gaps = ((quote, [re.escape(part.strip(" ;,")) for part in quote.split("...")]) for quote in quotes)
@@ -42,7 +42,7 @@ def quotes_missing(exercise, printed):
 
 
 def troubles_of(exercise):
-    """What is wrong with an exercise, as lines."""
+    """The problems of an exercise, as lines."""
     done = subprocess.run([XR3, "exercise", "check", exercise], capture_output=True, text=True, check=False)
     if done.returncode != 0:
         yield f"{exercise.name}:\n{done.stdout}{done.stderr}"

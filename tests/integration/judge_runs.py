@@ -24,7 +24,7 @@ STUDENTS = 200
 AT_ONCE = 8  # programs
 MOST_ADDED_MS, MOST_REPEATED_S, MOST_CLASS_S = 100, 100, 300
 
-# What a wrong program does, the kinds of goals that it misses or the outcome, and what the student is told.
+# Wrong programs: the fault, the kinds of goals that are missed or the outcome, and the message for the student.
 WRONG = {
     "never_moves": ("""robot.ask("E?")""", {"block", "order"}, '"grasped red" did not happen'),
     "stalls": ("""

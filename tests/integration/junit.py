@@ -5,7 +5,7 @@ import collections
 import re
 import xml.etree.ElementTree
 
-# Of each element: the attributes that it must have, those that it may have, its children, and whether it has text.
+# Elements: the attributes that each must have, those that it may have, its children, and whether it has text.
 ELEMENTS = {
     "testsuites": ("", "name time tests failures errors", "testsuite", False),
     "testsuite": ("name tests failures errors", "group time skipped timestamp hostname id package file log url",

@@ -54,7 +54,7 @@ def runs(count):
 
 
 def delayed_runs(count):
-    """The same with delayed bytes; each step waits for them (`after`)."""
+    """Compares runs with delayed bytes; each step waits for them (`after`)."""
     with Server("--log-level", "warn") as xr3, xr3.monitor() as monitor, Proxy(xr3.robot_port, DELAY_S) as proxy:
         return [fresh_run(proxy.port, monitor, number, with_after=True) for number in range(1, count + 1)]
 

@@ -5,7 +5,7 @@ runs. The first three need --compat mark3, where a switch bit of `I` is 1 for op
 """
 
 SPACE = 32  # offset of every one-byte reply
-BIT = {"F": 8, "E": 4, "D": 2, "C": 1, "B": 32, "A": 16}  # of I, and of J: B and A
+BIT = {"F": 8, "E": 4, "D": 2, "C": 1, "B": 32, "A": 16}  # bits of the reply to I; to J for B and A
 
 
 class Trs80:
@@ -193,7 +193,7 @@ class LabDriver:
 
 
 class LabDriverForPaper(LabDriver):
-    """The same with two changes, for the profile `paper`: there a bit of 1 means closed, so it learns the polarity by
+    """The program with two changes, for the profile `paper`: there a bit of 1 means closed, so it learns the polarity by
     watching a switch change; and B meets its switch on one side only, so it turns B towards it."""
 
     TOWARD = {**LabDriver.TOWARD, "B": -1}

@@ -25,7 +25,7 @@ PAUSE_MS = 1000  # the pause of a person before each line that is typed, in simu
 COMMAND_S = 60.0
 CONNECTED = "connected to localhost:9600; ~. quits, ~? is help"
 TELNET_CONNECTED = "Trying 127.0.0.1...\nConnected to localhost.\nEscape character is '^]'.\n"
-# What differs from log to log: time of day, tick, number of the line, port of the client, number of the byte.
+# Text that differs from log to log: time of day, tick, number of the line, port of the client, number of the byte.
 DIFFERS = re.compile(r"^\d\d:\d\d:\d\d\.\d{3}|(?<=\bline )\d+|(?<=@)\d+|(?<=127\.0\.0\.1:)\d+|(?<=localhost:)\d+|(?<=; byte )\d+")
 
 
@@ -42,12 +42,12 @@ def acts_at_once(typed):
 
 
 class Reader:
-    """Somebody who works through the pages in a checkout, with a shell whose variables last."""
+    """A reader who works through the pages in a checkout, with a shell whose variables last."""
 
     def __init__(self, test, folder, others=()):
         self.others = others  # kinds of fences that the test of the page reads
         self.test, self.folder, self.variables = test, folder, ["unset PYTHONPATH XR3_HOST"]
-        self.lines_opened = 0  # of the server of this page
+        self.lines_opened = 0  # lines of this page's server
         self.shown_by_telnet = ""
         for name in "clients", "docs", "data":
             (folder / name).symlink_to(pathlib.Path(ROOT, name))
@@ -118,7 +118,7 @@ class Reader:
         line.close()
 
     def screen(self, text):
-        """What telnet shows: its own lines, then it echoes each line that is typed, and a reply is at the beginning of
+        """The output of telnet: its own lines, then it echoes each line that is typed, and a reply is at the beginning of
         the next line."""
         self.test.assertEqual(self.shown_by_telnet.rstrip(), text.rstrip())
 
@@ -165,7 +165,7 @@ class Reader:
 
 
 def clock_for(text):
-    """The manual clock for a page on which somebody types, else a fast one."""
+    """The manual clock for a page on which a user types, else a fast one."""
     return "manual" if re.search(r"^```(telnet|term)$", text, re.MULTILINE) else "real:50"
 
 

@@ -1,4 +1,4 @@
-"""What an overview of many cells costs the server: prints the processor time of the same robots that move, without and
+"""The cost of an overview of many cells for the server: prints the processor time of the same robots that move, without and
 with a subscriber of the channel `overview`. Usage: soak_overview.py [CELLS [MOVING]]; MOVING (a tenth) robots move at
 any time. The environment has XR3, a release executable. Exit code 1 if the overview takes more than 5 % of a core.
 tests/web/panels/overview_cost.mjs measures the page."""

@@ -21,7 +21,7 @@ def one(seed):
         robot, workcell = ROBOTS[seed % 4]
         ask(unittest.TestCase(), seed, REQUESTS, "--robot", robot, "--workcell", workcell,
             "--compat", ["paper", "mark3"][seed // 4 % 2], clock=["real:20", "manual", "bytes", "manual"][seed // 8 % 4])
-    except Exception as error:  # of any kind: the message must contain the seed
+    except Exception as error:  # any kind of exception: the message must contain the seed
         return f"seed {seed}: {error!r}"[:2000]
     return ""
 

@@ -26,7 +26,7 @@ def connections(xr3):
 class Silence(unittest.IsolatedAsyncioTestCase):
     async def test_dead_clients_are_closed_after_half_a_minute(self):
         with Server("--log-level", "warn") as xr3, Server("--log-level", "warn") as other, xr3.monitor() as person:
-            async with Viewer(xr3) as listener:  # its library answers pings automatically
+            async with Viewer(xr3) as listener:  # the library answers pings automatically
                 await asyncio.gather(asyncio.to_thread(self.mute_websocket, xr3), asyncio.to_thread(self.stuck, other))
                 self.assertEqual("pong", (await listener.ask(op="ping"))["op"])
             self.assertEqual("pong", person.request("ping")["op"])

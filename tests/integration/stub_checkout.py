@@ -35,7 +35,7 @@ class StubCheckout:
         self._stub(folder / "bin/ctest", CTEST)
         for name in "run", "test":
             shutil.copy(pathlib.Path(ROOT, name), folder)
-        # Of the same tests, but with a log of its own: the ctest that runs this test writes the other one.
+        # Lists the tests with a log of its own: the ctest that runs this test writes the other one.
         (folder / "CTestTestfile.cmake").write_text(f'subdirs("{pathlib.Path(XR3).parent}")\n', encoding="utf-8")
         (folder / "CMakePresets.json").touch()
         (folder / "build/release/build.ninja").touch()

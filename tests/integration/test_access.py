@@ -111,7 +111,7 @@ class Tokens(Case):
             self.assertEqual(0, monitor.get("moving")["tick"])
 
     def test_all_clients_together_have_20_wrong_tokens_a_second(self):
-        """And a right token does not wait for them."""
+        """A right token does not wait for wrong ones."""
         xr3 = self.guarded()
         with contextlib.ExitStack() as opened:
             guessing = [opened.enter_context(xr3.monitor()) for _ in range(60)]

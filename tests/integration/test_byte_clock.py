@@ -1,4 +1,4 @@
-"""--clock bytes over real sockets: the same bytes give the same transcript, one line is obeyed at a time, and nothing
+"""--clock bytes over real sockets: the same bytes give the same transcript, commands of one line are executed at a time, and nothing
 but bytes moves time."""
 
 import os

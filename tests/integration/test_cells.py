@@ -23,7 +23,7 @@ OTHER_ADDRESS = "127.0.0.2"
 HTTP = b"GET / HTTP/1.1\r\nHost: localhost\r\n\r\n"
 TLS = b"\x16\x03\x01\x02\x00\x01\x00\x01\xfc\x03\x03"
 TOKEN = "sixteen letters!"
-LONG_S, SHORT_S = 3600, 0.05  # of --linger
+LONG_S, SHORT_S = 3600, 0.05  # values of --linger
 
 
 def cell_ports(monitor):
@@ -260,7 +260,7 @@ class Connections(unittest.TestCase):
             self.assertEqual(2, samples(xr3)["xr3_lines_total"])
 
     def test_at_the_limit_the_longest_lingering_goes(self):
-        with Server("--cell-per-connection", "--max-cells", 2, "--linger", LONG_S) as xr3, \
+        with Server("--cell-per-connection", "--max-cells", 2, "--max-lines", 3, "--linger", LONG_S) as xr3, \
                 xr3.monitor() as monitor:
             for _ in range(3):
                 with xr3.line() as line:

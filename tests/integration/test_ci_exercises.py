@@ -83,7 +83,7 @@ class Exercises(unittest.TestCase):
 
     @staticmethod
     def read_by_vpl(output):
-        """As VPL: it splits at the kind of line end that it finds first in this order."""
+        """Splits like VPL, at the kind of line end that it finds first in this order."""
         end = next((each for each in ("\r\n", "\n", "\r") if each in output), "\n")
         grades = [line.removeprefix("Grade :=>>").strip() for line in output.split(end) if line.startswith("Grade :=>>")]
         inside = re.findall(r"^<\|--\n(.*?)^--\|>\n", output, re.DOTALL | re.MULTILINE)

@@ -32,7 +32,7 @@ class Teacher(Reader):
 class Classroom(unittest.TestCase):
     def test_a_lesson(self):
         with tempfile.TemporaryDirectory() as folder:
-            text = re.sub(r"^   ", "", PAGE.read_text(encoding="utf-8"), flags=re.MULTILINE)  # also fences of list items
+            text = re.sub(r"^   ", "", PAGE.read_text(encoding="utf-8"), flags=re.MULTILINE)  # including fences of list items
             play(Teacher(self, pathlib.Path(folder)), text)
             self.assertIn("<svg", pathlib.Path(folder, "end.svg").read_text(encoding="utf-8"))
             grades = pathlib.Path(folder, "report", "grades.csv").read_text(encoding="utf-8").splitlines()

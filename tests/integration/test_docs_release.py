@@ -16,7 +16,7 @@ import unittest
 from pages import has_a_reader, is_command, write_files
 from support import DEADLINE_S, GRADE, ROOT, XR3, Server, run_xr3
 
-RUNS = 8  # of the judge at the same time; their programs pause most of the time
+RUNS = 8  # number at the same time; their programs pause most of the time
 JUDGE_S = 120.0
 FENCE = re.compile(r"^ *```.*?\n(.*?)^ *```", re.DOTALL | re.MULTILINE)
 XR3_COMMAND = re.compile(r"(?:\$ )?((?:XR3_\w+=\S+ )*)(?:build/release/)?xr3 (.+)")
@@ -174,7 +174,7 @@ class Docs(unittest.TestCase):
                               capture_output=True, text=True, timeout=JUDGE_S, check=False)
 
     def check_report(self, submissions, folder):
-        """It has a page, and a row for each submission, one of which meets all goals."""
+        """The report has a page, and a row for each submission, one of which meets all goals."""
         names = sorted(path.name for path in submissions.iterdir())
         with open(folder / "grades.csv", encoding="utf-8") as file:
             rows = list(csv.DictReader(file))

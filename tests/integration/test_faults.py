@@ -42,7 +42,7 @@ def find_the_switch(line, monitor):
 
 
 def watch_the_switch(line, monitor):
-    """What the switch is read as in the 30 ms after it has closed."""
+    """The readings of the switch in the 30 ms after it has closed."""
     line.send("E-40\r")
     monitor.step(364, after=line)
     seen = []
@@ -129,7 +129,7 @@ class Faults(unittest.TestCase):
         return path
 
     def observe(self, client, *options):
-        """What the client sees on the robot port, and the events of faults, without line numbers."""
+        """The bytes that the client receives on the robot port, and the events of faults, without line numbers."""
         with Server("--log-level", "warn", *options) as xr3, xr3.monitor() as monitor:
             seen = client(xr3.line(), monitor)
             monitor.step(0)

@@ -29,7 +29,7 @@ OUTCOMES = {"ada.py": "finished", "ben.py": "finished", "cleo.py": "finished", "
             "finn.py": "time_up", "gita.py": "failed"}
 MAX_RECORDINGS_BYTES = 300 * 1024
 TASK_S = 120
-# They depend on the machine: the time of a run, how the bytes of a client came in pieces, and in recordings its port
+# Texts that depend on the machine: the time of a run, how the bytes of a client came in pieces, and in recordings its port
 # and the checksums of lines.
 WALL = re.compile(r'"wall_seconds":[\d.]+')
 CHECKSUM = re.compile(r',"c":"[^"]+"')
@@ -45,7 +45,7 @@ def grade(report):
 
 
 def contents(path):
-    """What a file says, without what depends on the machine."""
+    """The content of a file without the texts that depend on the machine."""
     text = path.read_text(encoding="utf-8")
     if path.name == "result.json":
         return WALL.sub("", text)

@@ -257,7 +257,7 @@ class Commands(unittest.TestCase):
     # --- Other programs
 
     def talks_to_the_server(self, command):
-        """Its first bytes of output must come; `yes` has no end."""
+        """The first bytes of output must arrive; `yes` has no end."""
         self.need(*re.findall(r"(?:^|\| )(\w+)", command.text))
         with Server(clock="real") as xr3:
             text = command.text.replace("9600", str(xr3.robot_port)).replace("9601", str(xr3.monitor_port))

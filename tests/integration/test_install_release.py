@@ -1,4 +1,4 @@
-"""What `cmake --install build/release` installs below /usr/local, and as a Debian package below /usr: the program with its
+"""The files that `cmake --install build/release` installs below /usr/local, and as a Debian package below /usr: the program with its
 files, the Python package with its programs, and a completion of zsh where zsh looks."""
 
 import os
@@ -39,7 +39,7 @@ class Install(unittest.TestCase):
                 self.assertEqual([f"{prefix[1:]}/share/zsh/{functions}/_xr3"], found)
 
     def test_the_files_of_the_service_name_what_is_installed(self):
-        """They point to manual pages, since the package has no docs."""
+        """References lead to manual pages, since the package has no docs."""
         folder = self.install("/usr")
         for name in "usr/lib/systemd/system/xr3.service", "etc/xr3/xr3.toml":
             text = (folder / name).read_text(encoding="utf-8")

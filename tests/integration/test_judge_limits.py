@@ -75,7 +75,7 @@ class Limits:
 
 
 class Bounded(Limits):
-    """Where a user namespace counts its own tasks."""
+    """The limits of tasks, if a user namespace counts its own."""
 
     def test_a_program_that_forks_without_end(self):
         done = self.judge(BOMB, *self.options, "--processes", "2", code=7)

@@ -56,7 +56,7 @@ class InTheSandbox:
         self.assertIn("variables [] C.UTF-8", lines)
 
     def test_keys_of_the_judge_are_out_of_reach(self):
-        """Of its session, and of its user, which no namespace hides."""
+        """Keyrings of a session and of a user, which no namespace hides."""
         self.write("keys.py", f"""
 import ctypes, os, sys
 libc = ctypes.CDLL(None, use_errno=True)

@@ -6,7 +6,7 @@ import unittest
 from judge_modes import MOVE, PYTHON, SANDBOX, Root, User
 
 FULL = MOVE + "print('mine')\n"
-LINKS = {  # where it is, and where it points to
+LINKS = {  # path of each link, and its target
     "class/bob": "ada", "class/carl": "/etc", "class/dora/main.py": "../ada/main.py", "class/eve/main.py": "/etc/passwd",
     "class/finn/lib": "..", "class/gus/main.py": "code.py", "class/hal/main.py": "main.py"}
 LEAVES = "main.py is a symbolic link that leads out of the submission"

@@ -73,7 +73,7 @@ class Options(unittest.TestCase):
                 self.assertLessEqual(set(arguments), known)
 
     def test_the_ports_are_the_defaults(self):
-        """Also in the probes, which have no arguments."""
+        """Includes the probes, which have no arguments."""
         for path in WORKLOADS:
             text = path.read_text(encoding="utf-8")
             with self.subTest(path.name):

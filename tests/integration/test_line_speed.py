@@ -74,7 +74,7 @@ class RealClock(unittest.TestCase):
             self.assertEqual(len(flood), line_of(monitor)["bytes_acted"])
 
     def test_a_fast_writer_waits(self):
-        """What is not yet due is bounded: the rest stays with the client."""
+        """The bytes that are not yet due are bounded: the rest stays with the client."""
         with Server("--line-speed", "300-8n1", clock="real") as xr3, xr3.monitor() as monitor:
             line = xr3.line(buffer_bytes=4096)
             line.send("E?")  # else a flood of I would not be taken for a robot program

@@ -76,7 +76,7 @@ def variables_of(code):
 
 
 def faults_of(name, source, own):
-    """What MATLAB would not run, as `file:line: why`. `own` are the functions of the folder."""
+    """Code that MATLAB would not run, as `file:line: why`. `own` are the functions of the folder."""
     faults = []
     lines = source.splitlines()
     codes = [code_of(line) for line in lines]
@@ -125,7 +125,7 @@ class Sources(unittest.TestCase):
 
 
 class TheScan(unittest.TestCase):
-    """It finds what it is for."""
+    """The check finds each kind of error that it is for."""
 
     def faults(self, source, name="ex9_new.m"):
         return faults_of(name, source, {"robot_send"})

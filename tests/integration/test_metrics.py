@@ -1,4 +1,4 @@
-"""What /metrics reports about the server itself: refusals, failures to accept, clients that are no robot
+"""The values of /metrics about the server itself: refusals, failures to accept, clients that are no robot
 programs, the delay of the event loop, memory and descriptors."""
 
 import os

@@ -111,7 +111,7 @@ class LongAnswers(unittest.TestCase):
             self.assertEqual(saved, other.call("snapshot_load", name="a")["hash"])
 
     def test_of_many_lines(self):
-        with Server() as xr3, xr3.monitor() as monitor:
+        with Server("--max-lines", 80) as xr3, xr3.monitor() as monitor:
             for number in range(1, 81):
                 self.assertEqual(32, xr3.line().ask("E?"), number)
             self.assertEqual([(number, 2, 1, "E?") for number in range(1, 81)],

@@ -15,9 +15,9 @@ from test_transcripts import unescaped
 DOCUMENT = pathlib.Path(ROOT, "docs", "monitor-messages.md")
 COMMAND = re.compile(r"\$ ((?:\w+=\S+ )*)xr3 serve --clock (manual|bytes)")
 REPEATED = re.compile(r"(.*) \((\d+) times\)")
-CALLS = re.compile(r'("op":"hello".*"calls":\["pause"),.*?\]')  # their list grows
+CALLS = re.compile(r'("op":"hello".*"calls":\["pause"),.*?\]')  # the list of calls grows
 PEER = re.compile(r"127\.0\.0\.1:\d+")  # differs from run to run
-FREE_PORT = re.compile(r'("cell":"main-b1","robot_port":)\d+')  # likewise
+FREE_PORT = re.compile(r'("cell":"main-b1","robot_port":)\d+')  # a free port differs in each run
 
 
 class Player:

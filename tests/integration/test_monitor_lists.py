@@ -10,7 +10,7 @@ from monitor_schema import load
 from support import ROOT, Server
 
 
-LISTED_ELSEWHERE = {"warning", "fault"}  # their codes are in docs/protocol.md and docs/faults.md
+LISTED_ELSEWHERE = {"warning", "fault"}  # codes listed in docs/protocol.md and docs/faults.md
 
 
 def part(heading):

@@ -30,18 +30,17 @@ branches of a cell, and lines of each | server/net/socket_limits.hpp | kLinesPer
 memory of the process | server/options/options.hpp | max_memory_mib
 unread bytes of a connection in the kernel | server/net/listener.cpp | kSendBuffer | 1024
 first bytes of a line that are examined together | protocol/line/line_guard.hpp | kFirstChunk
-one turn of a line | server/lines/session.cpp | kBytesATurn
-one turn of a line | server/lines/session.cpp | kFairTime | 1000
+one turn of a line | server/lines/session.hpp | kBytesATurn
+one turn of a line | server/lines/session.hpp | kTurnTime | 1000
 unread replies of a line | cell/serial_line.hpp | kFullOutbox | 1024
 replies that an RFC 2217 client has suspended | cell/serial_line.hpp | kFullOutbox | 1024
-replies that `step` and `run_until` wait for, per line | server/lines/session.hpp | kMaxAnswered | 1048576
+replies that `step` and `run_until` wait for, per line | server/lines/arrived.hpp | kMaxReplies | 1048576
 bytes of a line that have not acted yet | cell/line_pace.hpp | kMaxInput
 bytes of all lines of a robot that are due in one advance of real time | cell/cell.hpp | kMaxDueBytes
 bytes of all lines of a robot that are due in one millisecond | cell/cell.hpp | kMaxTickBytes
 time before an inquiry (`--clock bytes`) | protocol/line/byte_clock_settings.hpp | kMaxInquiryMs | 1000
 a run to rest (`--clock bytes`) | cell/cell.hpp | kMaxSleep
-a `send`, or the bytes before a `step` (`--clock bytes`) | server/monitor_port/line_calls.cpp | kMaxSendTime | 1000000000
-a `send`, or the bytes before a `step` (`--clock bytes`) | server/lines/session.cpp | kArrivedTime | 1000000000
+a `send` (`--clock bytes`) | server/monitor_port/line_calls.cpp | kMaxSendTime | 1000000000
 commands of a line that wait for the physical controller | cell/device_link.hpp | kMaxWaiting
 warnings in the log, per line and simulated second | cell/warning_limiter.hpp | kMaxNotesPerSecond
 monitor connections | server/net/socket_limits.hpp | connections
@@ -69,7 +68,7 @@ bytes of a `send` call | protocol/monitor/calls/line.cpp | kMaxSent
 waiting of a call with `after` | protocol/monitor/request.hpp | kMaxWithinMs | 1000
 named snapshots | cell/cell.hpp | kMaxSnapshots
 faults on demand | core/faults/fault.hpp | kMaxFaults
-events of the effects of a fault | core/faults/faults.hpp | kMaxFaultNews
+events of the effects of a fault | core/faults/effects.hpp | kMaxFaultNews
 blocks of a workcell | protocol/files/workcell.hpp | kMaxFileBlocks
 pixels of a camera | protocol/files/workcell.hpp | kMaxFilePixels
 pixels of a camera | protocol/files/workcell.hpp | kMaxFilePixels
@@ -195,7 +194,7 @@ class Install(unittest.TestCase):
         self.folder = pathlib.Path(folder.name)
 
     def test_the_commands_install_a_service_that_starts(self):
-        """They run with another folder instead of the root folder; /usr/local comes from cmake's DESTDIR."""
+        """The commands run with another folder instead of the root folder; /usr/local comes from cmake's DESTDIR."""
         *install, check = shown_commands("As a service")
         self.assertEqual("./run --build", install.pop(0))
         self.assertEqual("xr3 healthcheck --wait 10", check)

@@ -52,7 +52,7 @@ class Placement(unittest.TestCase):
 
     def test_a_block_released_in_the_air(self):
         self.pick_red()
-        self.go(**ABOVE_PLACE)  # and the program forgets to go down
+        self.go(**ABOVE_PLACE)  # a program that does not go down
         self.events()
         self.send("A-20\r")
         released, warning = self.events()

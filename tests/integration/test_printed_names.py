@@ -1,4 +1,4 @@
-"""Names in files and of files may contain anything. The commands print them without a character that a terminal obeys,
+"""Names in files and of files may contain anything. The commands print them without a character that a terminal executes,
 that changes the direction of text or that ends a line, and in UTF-8; reports have the same names, and links that lead
 to the files."""
 
@@ -26,7 +26,7 @@ LATIN = [b"Ren\xe8.py", b"Ren\xe9.py"]  # as a Windows zip has them; they differ
 
 
 def unprintable(text):
-    """The characters of a text that a terminal may obey, and those that XML does not have."""
+    """The characters of a text that a terminal may execute, and those that XML does not have."""
     return [letter for letter in text if unicodedata.category(letter) in ("Cc", "Cf", "Zl", "Zp", "Cs", "Cn") and letter != "\n"]
 
 

@@ -73,7 +73,7 @@ class Bench:
         return self.monitor.settle(after=self.line)
 
 
-MIDDLES = "F60 E-70 D70"  # of the ranges in which the switches are closed, 60 counts each
+MIDDLES = "F60 E-70 D70"  # middles of the ranges in which the switches are closed, 60 counts each
 
 
 class DriverOf1983(unittest.TestCase):

@@ -258,7 +258,7 @@ class OpenAndClose(Ptys):
                 self.assertEqual(1, len(port.read(1)))
 
     def test_a_step_takes_bytes_that_have_arrived(self):
-        """As on the robot port: the bytes of a program that has just opened the port act before the step."""
+        """The bytes of a program that has just opened the port are executed before the step, as on the robot port."""
         with self.server() as xr3, xr3.monitor() as monitor:
             for number in range(20):
                 with Port(self.path) as port:

@@ -341,7 +341,7 @@ class Recordings(unittest.TestCase):
             self.replay(file=file)
 
     def failed_recordings(self, xr3):
-        """Their number in /metrics, and the mark of the cell in the overview."""
+        """The number of failed recordings in /metrics, and the mark of the cell in the overview."""
         with urllib.request.urlopen(f"http://{LOCALHOST}:{xr3.monitor_port}/metrics") as answer:
             count, = re.findall(rb'^xr3_recordings_failed_total{cell="main"} (\d+)$', answer.read(), re.MULTILINE)
         with xr3.monitor() as monitor:

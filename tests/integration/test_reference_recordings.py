@@ -55,7 +55,7 @@ def is_input(entry):
 
 
 def kinds_of(header, entries):
-    """What a recording has: words for members, some with their value."""
+    """The features of a recording: words for members, some with their value."""
     bytes_rules = header.get("byte_clock", {})
     yield f"robot {header['robot']['name']}"
     yield f"profile {header['profile']}"

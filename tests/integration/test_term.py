@@ -115,7 +115,7 @@ class Script(unittest.TestCase):
             self.assertEqual(b"95  no microswitch closed\n", done.stdout)
 
     def test_a_large_input_does_not_block(self):
-        """Far more inquiries than either side buffers, and replies that nobody takes meanwhile."""
+        """Far more inquiries than either side buffers, and replies that are not read meanwhile."""
         with Server() as xr3:
             done = term(xr3, "E?" * 100_000, "--raw")
             self.assertEqual((0, b" " * 100_000), (done.returncode, done.stdout))

@@ -105,7 +105,7 @@ class Watch(unittest.TestCase):
 
     def test_command_mode_by_letters(self):
         with Server() as xr3, xr3.monitor() as monitor, watch(xr3.monitor_port) as terminal:
-            terminal.wait_text("h home")  # it is connected and may call
+            terminal.wait_text("h home")  # connected, with permission for calls
             terminal.press("s2")
             terminal.wait_text("status line (0 to 6): 2_")
             terminal.press("\r")
@@ -128,7 +128,7 @@ class Watch(unittest.TestCase):
         for name, alt_f1 in ("xterm", "\x1b[1;3P"), ("linux", "\x1b\x1b[[A"):
             with self.subTest(name), Server() as xr3, xr3.monitor() as monitor, \
                     watch(xr3.monitor_port, environment={"TERM": name}) as terminal:
-                terminal.wait_text("h home")  # it is connected and may call
+                terminal.wait_text("h home")  # connected, with permission for calls
                 terminal.press(alt_f1)
                 terminal.press("m")
                 terminal.wait_for(lambda text: re.search(r"Alt F1 +graphics display +on", text))

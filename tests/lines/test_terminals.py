@@ -29,7 +29,7 @@ class SerialTerminal(TerminalClient):
 
 
 class Session(unittest.TestCase):
-    """What every terminal program has to do."""
+    """The tests of every terminal program."""
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory(prefix="xr3-")

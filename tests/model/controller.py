@@ -75,7 +75,7 @@ class Controller:
         self.warnings.append(code)
 
     def _place(self, label):
-        """The motor with this label, or None: this robot has no such joint."""
+        """The motor with this label, or None if this robot has no such joint."""
         place = self.machine.place.get(label)
         if place is None:
             self.warn("no_such_joint")

@@ -2,7 +2,7 @@
 
 from .robot import micrometres
 
-THOUSANDTHS = 1000  # of a count; a tick is a millisecond, so a motor makes `speed` thousandths per tick
+THOUSANDTHS = 1000  # parts of a count; a tick is a millisecond, so a motor makes `speed` thousandths per tick
 
 
 def to_8_bits(number):

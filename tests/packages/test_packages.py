@@ -124,7 +124,7 @@ class Reproducible(Built):
 
 class DebianPackage(Built):
     def newer(self):
-        """The same package with a higher version."""
+        """A copy of the package with a higher version."""
         tree = tempfile.mkdtemp(dir=self.folder)
         run("dpkg-deb", "-R", debian_package(self.packages), f"{tree}/package")
         replace_once(pathlib.Path(tree, "package", "DEBIAN", "control"), r"^Version: .*$", f"Version: {NEXT}")

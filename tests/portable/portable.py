@@ -22,15 +22,15 @@ COMMANDS = 200_000
 
 
 class Failure(Exception):
-    """Its text says what failed and what to do."""
+    """An error whose text says what failed and what to do."""
 
 
 class Variant(NamedTuple):
     name: str
-    programs: list  # what must be installed; A|B: one of them
-    options: list  # of CMake
-    configure: list = []  # what starts CMake
-    runner: str = ""  # one of `programs`; empty: this machine
+    programs: list  # programs that must be installed; A|B is one of them
+    options: list  # options of CMake
+    configure: list = []  # command that starts CMake
+    runner: str = ""  # one of `programs`; empty for this machine
     program: str = "commands_digest"
 
 

@@ -7,7 +7,7 @@
 // with its row, column, style and the columns that it may take. Names from the network are
 // arbitrary bytes: put() decodes UTF-8, drops what is outside the screen and ends a cut text with
 // an ellipsis; invalid bytes and letters without a width of one column become `?`. The caller shows
-// the finished screen cell by cell with ncurses (cli/commands/terminal.hpp), or prints text_of() as
+// the finished screen cell by cell with ncurses (cli/term/terminal.hpp), or prints text_of() as
 // plain rows when standard output is no terminal. in_letters() replaces box drawing and blocks by
 // ASCII for terminals that have nothing else. markup.hpp is independent of screens: it escapes text
 // for HTML and XML, for the reports of tools/report and the pictures of tools/drawing.

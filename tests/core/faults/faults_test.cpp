@@ -8,6 +8,7 @@
 #include <functional>
 #include <random>
 
+#include "core/faults/effects.hpp"
 #include "core/faults/motor_faults.hpp"
 #include "core/kinematics.hpp"
 #include "tests/support/rig.hpp"

@@ -95,8 +95,7 @@ MonitorRig::MonitorRig(ReadAccess reading)
     : policy_({{}, reading, kToken}),
       service_(io_, host_.cells, host_.worker, policy_),
       resources_(
-          service_, policy_, []() -> asio::awaitable<std::string> { co_return ""; },
-          [this] { return service_.counters(); }),
+          service_, policy_, [] { return std::string(); }, [this] { return service_.counters(); }),
       context_{service_, resources_, nullptr, [] {},
                [this](const std::shared_ptr<MonitorConnection>&) { is_over_ = true; }} {
   host_.add(test::rhino());

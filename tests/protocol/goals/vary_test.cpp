@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/inverse/reach.hpp"
-#include "core/placement.hpp"
+#include "core/workcell.hpp"
 #include "tests/support/models.hpp"
 
 namespace xr3 {

@@ -64,8 +64,7 @@ class HttpTest : public testing::Test {
   AccessPolicy policy_;
   std::string trouble_;
   MonitorService service_{io_, host_.cells, host_.worker, policy_};
-  HttpResources resources_{service_, policy_,
-                           [this]() -> asio::awaitable<std::string> { co_return trouble_; },
+  HttpResources resources_{service_, policy_, [this] { return trouble_; },
                            [this] { return service_.counters(); }};
 };
 
@@ -332,8 +331,7 @@ TEST_F(HttpTest, ServesImages) {
   host.add(with_camera);
   MonitorService service(io_, host.cells, host.worker, policy_);
   service.stop();
-  HttpResources resources(service, policy_,
-                          []() -> asio::awaitable<std::string> { co_return std::string(); }, {});
+  HttpResources resources(service, policy_, [] { return std::string(); }, {});
   const auto show = [&](const std::string& target) {
     std::string body;
     const http::HttpRequest request = read_head(get(target)).request;

@@ -157,7 +157,7 @@ TEST_F(RobotPortTest, ABarrierLimitsImageReplies) {
   read_arrived();
   const std::uint64_t answered = received(1) / 3 * kPictureReply;
   EXPECT_GE(answered, SerialLine::kFullOutbox);
-  EXPECT_LE(answered, LineSession::kMaxAnswered + 2 * SerialLine::kFullOutbox);
+  EXPECT_LE(answered, ArrivedBytes::kMaxReplies + 2 * SerialLine::kFullOutbox);
   EXPECT_EQ(client.bytes(500 * kPictureReply).size(), 500 * kPictureReply)
       << "the rest follows without another request";
   settle();

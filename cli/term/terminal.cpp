@@ -1,5 +1,5 @@
 // Compiled alone: term.h has macros with names that headers of Boost use.
-#include "cli/commands/terminal.hpp"
+#include "cli/term/terminal.hpp"
 
 #include <langinfo.h>
 #include <sys/ioctl.h>

@@ -14,8 +14,6 @@
 namespace xr3 {
 namespace {
 
-constexpr const char* kUsualRobot = "rhino-xr3";
-
 /// An open peer, and a warning about it for the user.
 struct OpenPeer {
   std::unique_ptr<TermPeer> peer;
