@@ -199,8 +199,9 @@ class Cell final : private LineListener {
   /// An advance of real time stops after the tick in which this number of due bytes of lines is
   /// reached, if more are due: the clock is set back to that tick, and goes on from there.
   static constexpr std::size_t kMaxDueBytes = 256;
-  /// Maximum number of due bytes of lines in a tick; further ones wait for the next tick.
-  static constexpr std::size_t kMaxTickBytes = 2048;
+  /// Maximum number of due bytes of lines in a tick of the real clock; further ones wait for the
+  /// next tick.
+  static constexpr std::size_t kMaxTickBytes = 1024;
 
   /// Maximum number of named snapshots.
   static constexpr std::size_t kMaxSnapshots = 16;

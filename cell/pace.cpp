@@ -14,7 +14,8 @@ void Cell::set_line_speed(const LineSpeed& speed) {
 std::optional<Tick> Cell::next_due() const {
   if (agenda_.empty()) return std::nullopt;
   const Tick due = first_tick_after(agenda_.first().at);
-  return due_bytes_.count < kMaxTickBytes ? due : std::max(due, due_bytes_.tick + 1);
+  const bool is_full = clock_.mode() == ClockMode::kReal && due_bytes_.count >= kMaxTickBytes;
+  return is_full ? std::max(due, due_bytes_.tick + 1) : due;
 }
 
 std::optional<Tick> Cell::next_due_until(Tick limit) const {

@@ -47,7 +47,7 @@ std::string allowed_here(const std::string& message) {
   return "a value: a number, \"text\", true, false, null, [ or {";
 }
 
-/// A message about malformed text, and what stands for it.
+/// A part of the library's message about malformed text, with the finding that replaces it.
 struct Phrase {
   std::string_view sign;
   std::string_view found;

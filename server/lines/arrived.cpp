@@ -1,11 +1,14 @@
 #include "server/lines/arrived.hpp"
 
+#include <algorithm>
+
 namespace xr3 {
 
 void ArrivedBytes::add(SessionNumber number, const std::shared_ptr<LineSession>& session) {
   if (!session->is_open()) return;
   const std::uint64_t start = session->bytes_in();
   lines_.push_back({number, session, start, start + session->arrived_bytes(),
+                    start + std::min(kMaxBytes, session->max_settled()),
                     session->output_end() + kMaxReplies});
 }
 
@@ -30,7 +33,7 @@ bool ArrivedBytes::run_turn(Line& line) {
 bool ArrivedBytes::has_more(Line& line, const LineSession& session) {
   const std::uint64_t now = session.bytes_in();
   const std::uint64_t count = now - line.start;
-  if (count >= kMaxBytes || session.output_end() >= line.replies_end) return false;
+  if (now >= line.last_end || session.output_end() >= line.replies_end) return false;
   const std::size_t arrived = session.arrived_bytes();
   if (count >= kBurst) line.end = now + arrived;
   return now < line.end && arrived > 0;

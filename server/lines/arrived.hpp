@@ -40,6 +40,7 @@ class ArrivedBytes {
     std::weak_ptr<LineSession> session;
     std::uint64_t start;        ///< LineSession::bytes_in() at the call
     std::uint64_t end;          ///< as start
+    std::uint64_t last_end;     ///< as start: the bound for `end`
     std::uint64_t replies_end;  ///< LineSession::output_end()
   };
 

@@ -57,6 +57,8 @@ class LineSession {
 
   /// The number of bytes that have arrived and are not executed yet. 0 if no more will be.
   std::size_t arrived_bytes() const;
+  /// LineStream::max_settled().
+  std::size_t max_settled() const { return stream_->max_settled(); }
   /// SerialLine::bytes_in(). Precondition: the session is open.
   std::uint64_t bytes_in() const { return context_.cell.find_line(id_)->bytes_in(); }
   /// SerialLine::output_end(). Precondition: the session is open.

@@ -9,8 +9,8 @@ namespace xr3 {
 
 class LineSource {
  public:
-  /// Waits until the bytes that clients have sent before this call can be read. Those of lines that
-  /// would take more than a read are applied.
+  /// Waits until the bytes that clients have sent before this call can be read, and applies those
+  /// that must be read before the rest can.
   virtual asio::awaitable<void> settle() { co_return; }
   /// Opens a line for each client that has arrived, without waiting.
   virtual void accept_arrived() = 0;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -35,6 +36,10 @@ class LineStream {
   /// To be called when all bytes read have acted: tells the client that they have arrived, if no
   /// reply has.
   virtual void acknowledge() {}
+
+  /// The maximum number of bytes that a read barrier reads after LineSource::settle(), or after one
+  /// round of it: more have been sent later.
+  virtual std::size_t max_settled() const { return std::numeric_limits<std::size_t>::max(); }
 
   /// The settings of the serial port if they have changed since the last call, as an input for
   /// this line.

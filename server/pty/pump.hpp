@@ -47,10 +47,9 @@ class PtyPump {
   /// Begins no further line and no further round; the thread ends when its line has ended.
   void close();
   /// Begins a round of the thread, which moves bytes that programs have written before, at most
-  /// kMaxMoved of them and what the socket pair takes, and notices programs that have come and
+  /// kPtyRound of them and what the socket pair takes, and notices programs that have come and
   /// gone. Returns the value of `rounds_ended` when it has ended.
   std::uint64_t begin_round();
-  static constexpr std::size_t kMaxMoved = 4096;
 
  private:
   /// Bytes under way in one direction.
@@ -64,7 +63,7 @@ class PtyPump {
     void drain(int to);
 
    private:
-    std::array<char, kMaxMoved> bytes_;
+    std::array<char, kPtyRound> bytes_;
     std::size_t begin_ = 0;
     std::size_t end_ = 0;
   };

@@ -17,6 +17,8 @@ class PtyStream final : public RobotSocket {
   /// Those of the bytes that were read last, or at the begin those of the first.
   std::optional<LineSettings> take_settings(LineId line) override;
   void acknowledge() override {}
+  /// The bytes of one round of the thread, which moves more while they are read.
+  std::size_t max_settled() const override { return kPtyRound; }
 
  private:
   void reach_changes();

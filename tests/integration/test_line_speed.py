@@ -61,7 +61,7 @@ class RealClock(unittest.TestCase):
             self.assertGreaterEqual(ticks(monitor) - begin, 2 * MILLISECONDS_OF_200)
 
     def test_a_megabyte_is_slowed_and_none_is_lost(self):
-        """At 100 times 115200 baud a megabyte takes 0.87 s."""
+        """At 100 times 115200 baud a megabyte takes 0.87 s, or longer, since the bytes of a millisecond are limited."""
         with Server("--line-speed", "115200-8n1:100", clock="real") as xr3, xr3.monitor() as monitor:
             line = xr3.line()
             flood = b"E?" + b"I" * 1_000_000

@@ -37,7 +37,7 @@ replies that an RFC 2217 client has suspended | cell/serial_line.hpp | kFullOutb
 replies that `step` and `run_until` wait for, per line | server/lines/arrived.hpp | kMaxReplies | 1048576
 bytes of a line that have not acted yet | cell/line_pace.hpp | kMaxInput
 bytes of all lines of a robot that are due in one advance of real time | cell/cell.hpp | kMaxDueBytes
-bytes of all lines of a robot that are due in one millisecond | cell/cell.hpp | kMaxTickBytes
+bytes of all lines of a robot that are due in one millisecond of the real clock | cell/cell.hpp | kMaxTickBytes
 time before an inquiry (`--clock bytes`) | protocol/line/byte_clock_settings.hpp | kMaxInquiryMs | 1000
 a run to rest (`--clock bytes`) | cell/cell.hpp | kMaxSleep
 a `send` (`--clock bytes`) | server/monitor_port/line_calls.cpp | kMaxSendTime | 1000000000

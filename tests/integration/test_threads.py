@@ -34,7 +34,7 @@ class Threads(unittest.TestCase):
         thread.start()
         return thread
 
-    # --- What the threads do, in each round.
+    # --- The work of each thread in a round.
 
     def move(self, number, line):
         line.send(f"E{'+-'[number % 2]}20\rF{'+-'[number % 2]}9\r".encode())

@@ -15,17 +15,21 @@ namespace {
 
 constexpr std::size_t kFlood = std::numeric_limits<std::size_t>::max();
 constexpr WallNs kPast = 0;
+/// A turn may begin with bytes that the one before has read.
+constexpr std::size_t kLastTurn = 2 * LineSession::kBytesATurn;
 
 /// Gives a number of CRs, of which `shown` at most have arrived at once; takes all replies.
 class CrStream final : public LineStream {
  public:
-  CrStream(std::size_t count, std::size_t shown) : left_(count), shown_(shown) {}
+  CrStream(std::size_t count, std::size_t shown, std::size_t max_settled)
+      : left_(count), shown_(shown), max_settled_(max_settled) {}
   CrStream(const CrStream&) = delete;
   CrStream& operator=(const CrStream&) = delete;
   ~CrStream() override { ::close(descriptor_); }
 
   int descriptor() const override { return is_closed_ ? -1 : descriptor_; }
   std::size_t unread_bytes() const override { return std::min(left_, shown_); }
+  std::size_t max_settled() const override { return max_settled_; }
   std::size_t read(std::span<char> into) override {
     const std::size_t count = std::min(into.size(), left_);
     std::ranges::fill(into.first(count), '\r');
@@ -38,6 +42,7 @@ class CrStream final : public LineStream {
  private:
   std::size_t left_;
   std::size_t shown_;
+  std::size_t max_settled_;
   bool is_closed_ = false;
   int descriptor_ = ::eventfd(0, EFD_CLOEXEC);
 };
@@ -51,8 +56,8 @@ class ArrivedBytesTest : public test::LineFixture {
   }
 
   /// Line 1 is the first one.
-  LineId add(std::size_t count, std::size_t shown = kFlood) {
-    const auto session = open(std::make_unique<CrStream>(count, shown));
+  LineId add(std::size_t count, std::size_t shown = kFlood, std::size_t max_settled = kFlood) {
+    const auto session = open(std::make_unique<CrStream>(count, shown, max_settled));
     sessions_[session->line()] = session;
     numbers_[session->line()] = turns_.add(session).value();
     arrived_.add(numbers_[session->line()], session);
@@ -88,7 +93,14 @@ TEST_F(ArrivedBytesTest, AFloodEndsAtItsLimit) {
   const LineId line = add(kFlood);
   EXPECT_FALSE(arrived_.read(kNever));
   EXPECT_GE(received(line), ArrivedBytes::kMaxBytes);
-  EXPECT_LT(received(line), ArrivedBytes::kMaxBytes + LineSession::kBytesATurn);
+  EXPECT_LE(received(line), ArrivedBytes::kMaxBytes + kLastTurn);
+}
+
+TEST_F(ArrivedBytesTest, AFloodThatRefillsItsStreamEndsAtTheBoundOfTheStream) {
+  const LineId line = add(kFlood, kFlood, /*max_settled=*/8192);
+  EXPECT_FALSE(arrived_.read(kNever));
+  EXPECT_GE(received(line), 8192U);
+  EXPECT_LE(received(line), 8192 + kLastTurn);
 }
 
 TEST_F(ArrivedBytesTest, LinesHaveTurnsOneAfterTheOther) {
