@@ -90,7 +90,7 @@ TEST_F(LineSessionsTest, BytesAndClientsThatHaveArrivedAreReadBeforeACall) {
 
 TEST_F(LineSessionsTest, AWaitEndsWhenTheBytesHaveCome) {
   const LineId line = open({reads("E+5\r")});
-  begin_to_wait(line, 4, milliseconds::max() / 2);
+  begin_to_wait(line, 4, std::chrono::hours(1));
   EXPECT_TRUE(wait());
 }
 
