@@ -18,7 +18,7 @@ class ArrivedBytes {
  public:
   /// Bounds for each line, for one that sends without end. Bytes beyond them are executed in later
   /// turns of the line, after the call.
-  static constexpr std::size_t kMaxBytes = 512 * 1024;
+  static constexpr std::size_t kMaxBytes = 128 * 1024;
   static constexpr std::size_t kMaxReplies = 1024 * 1024;  ///< bytes
   /// After this number of bytes of one line, the system is asked again: the rest of a burst that is
   /// larger than the receive buffer arrives while the beginning is read.
