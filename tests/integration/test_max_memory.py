@@ -12,7 +12,7 @@ import unittest
 from support import LOCALHOST, NO_QUARANTINE, ROOT, Server
 
 LIMIT_MIB = 64
-CLIENTS = 400
+CLIENTS = 500
 MOST_HELD_MIB = 2  # by one client
 KERNEL_BYTES = 300_000  # that a socket takes at most
 # Beyond the limit: the program itself, freed memory that the allocator keeps, and the sanitizer's shadow.
@@ -67,7 +67,7 @@ class MaxMemory(unittest.TestCase):
                 self.assertLess(xr3.status("VmHWM") / 1024, before + LIMIT_MIB + MARGIN_MIB)
 
     def test_a_shared_picture_exists_once(self):
-        """1 MB for each of 400 clients would be 400."""
+        """1 MB for each of 500 clients would be 500."""
         with self.serve() as xr3, xr3.line() as good:
             for _ in range(CLIENTS):
                 self.client(xr3.monitor_port, b"GET /camera.pbm HTTP/1.1\r\nHost: localhost\r\n\r\n" * 3)

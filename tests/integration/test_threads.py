@@ -45,16 +45,18 @@ class Threads(unittest.TestCase):
             self.assertTrue(answer.read())
 
     def look(self, number, monitor):
-        now = monitor.call("history")["tick"]
+        history = monitor.call("history")
+        tick = max(history["epochs"][-1]["from"], history["tick"] - 7 * number)
         monitor.send({"op": "call", "id": "look", "fn": "look",
-                      "args": {"tick": max(0, now - 7 * number), "channels": ["state", "image"]}})
+                      "args": {"tick": tick, "channels": ["state", "image"]}})
         monitor.read_until(lambda message: message["op"] == "result")
 
     def branch(self, number, monitor):
         if number % 6:
             return
         try:
-            monitor.call("branch", tick=max(0, monitor.call("history")["tick"] - 20))
+            history = monitor.call("history")
+            monitor.call("branch", tick=max(history["epochs"][-1]["from"], history["tick"] - 20))
         except MonitorError as refused:
             self.assertEqual("limit", refused.code)
 
