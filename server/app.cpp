@@ -152,7 +152,7 @@ App::App(const ServeOptions& options, std::vector<CellSeed> seeds, std::string t
   turns_.limit_memory(memory_);
   monitor_port_.limit_memory(memory_);
   monitor_port_.service().count_more([this](CellCounters& counters) { count_more(counters); });
-  monitor_port_.service().branch_by(
+  monitor_port_.service().past_calls().branch_by(
       [this](HostedCell& of, MachineSnapshotPtr past) { return open_branch(of, std::move(past)); });
   check_byte_clock();
   options_.is_cell_per_connection ? serve_connections() : open_planned();

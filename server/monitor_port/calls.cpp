@@ -1,4 +1,5 @@
-// The monitor's calls on a cell.
+#include "server/monitor_port/calls.hpp"
+
 #include <chrono>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -7,24 +8,12 @@
 #include "protocol/monitor/saved_cell.hpp"
 #include "protocol/monitor/saved_faults.hpp"
 #include "protocol/monitor/snapshot.hpp"
-#include "server/monitor_port/service.hpp"
 #include "server/net/wall_clock.hpp"
 
 namespace xr3 {
 namespace {
 
 using std::chrono::milliseconds;
-
-/// Whether a variant holds one of these types.
-template <class... Types, class Variant>
-bool holds_any(const Variant& variant) {
-  return (std::holds_alternative<Types>(variant) || ...);
-}
-
-bool concerns_past(const monitor::CallRequest& wanted) {
-  return holds_any<monitor::ReadHistory, monitor::Look, monitor::Live, monitor::Seek,
-                   monitor::Branch>(wanted.call);
-}
 
 bool moves_time(const monitor::CallRequest& wanted) {
   const auto* call = std::get_if<call::Call>(&wanted.call);
@@ -70,59 +59,14 @@ void add_saved(const SavedCell& cell, const std::string& name, bool is_inline, J
   if (is_inline) value["snapshot"] = saved;
 }
 
-}  // namespace
-
-monitor::Message refused(const monitor::RequestId& id, const call::Refused& why) {
-  return monitor::result({id, why.code, why.message, why.hint, {}});
+Json marks_json(const TranscriptSummary& summary) {
+  Json marks = Json::array();
+  for (const TranscriptMark mark : summary.marks) marks.push_back(name_of(mark));
+  return marks;
 }
 
-Json value_now(const Cell& cell) { return {{"epoch", cell.epoch()}, {"tick", cell.state().tick}}; }
-
-asio::awaitable<void> MonitorService::call(CellPtr at, MonitorSession& session,
-                                           monitor::Request request) {
-  const auto& wanted = std::get<monitor::CallRequest>(request.what);
-  if (concerns_past(wanted)) {
-    co_await call_past(std::move(at), session, std::move(request));
-    co_return;
-  }
-  const bool in_real_clock = at->cell().clock().mode() == ClockMode::kReal;
-  if (wanted.after && !in_real_clock) {  // the real clock is refused below, without waiting
-    const std::optional<call::Refused> error = co_await wait_for(*at, *wanted.after);
-    if (error) {
-      session.send(refused(request.id, *error));
-      co_return;
-    }
-  }
-  if (moves_time(wanted)) co_await at->transports().read_arrived();
-  if (at->is_retired()) {
-    session.send(unknown_cell(session, request));
-    co_return;
-  }
-  monitor::Message answer;
-  if (std::holds_alternative<monitor::Send>(wanted.call))
-    answer = co_await send(*at, session, request);
-  else
-    answer = carry_out_call(*at, request);
-  at->acted();
-  session.send(std::move(answer));
-}
-
-// Carries out a call other than `send`. Not a coroutine: it takes effect before anything else runs.
-monitor::Message MonitorService::carry_out_call(HostedCell& at, monitor::Request& request) {
-  const auto& wanted = std::get<monitor::CallRequest>(request.what);
-  if (std::holds_alternative<call::Call>(wanted.call)) return call_cell(at, request);
-  if (std::holds_alternative<monitor::ListLines>(wanted.call)) return list_lines(at, request);
-  if (std::holds_alternative<monitor::ListFaults>(wanted.call))
-    return monitor::result(request.id, value_with_faults(at.cell()));
-  if (std::holds_alternative<monitor::DisconnectLine>(wanted.call)) return disconnect(at, request);
-  if (std::holds_alternative<monitor::ReleasePeer>(wanted.call)) return release_peer(at, request);
-  return transcript(at, request);
-}
-
-// --- Calls of the cell.
-
-asio::awaitable<std::optional<call::Refused>> MonitorService::wait_for(HostedCell& at,
-                                                                       monitor::After after) {
+/// Waits until a line has received bytes. Returns the error, or nullopt.
+asio::awaitable<std::optional<call::Refused>> wait_for_bytes(HostedCell& at, monitor::After after) {
   const Cell& cell = at.cell();
   const bool arrived = co_await at.transports().wait_for_bytes(after.line, after.bytes_in,
                                                                milliseconds(after.within_ms));
@@ -132,46 +76,81 @@ asio::awaitable<std::optional<call::Refused>> MonitorService::wait_for(HostedCel
   co_return timeout(after, cell.bytes_in(after.line).value_or(0));
 }
 
-monitor::Message MonitorService::call_cell(HostedCell& at, monitor::Request& request) {
-  Cell& cell = at.cell();
-  const auto& wanted = std::get<monitor::CallRequest>(request.what);
-  const auto& call = std::get<call::Call>(wanted.call);
-  if (const auto error = monitor::limit_ticks(request, cell.state().tick))
-    return monitor::result(*error);
+}  // namespace
+
+monitor::Message refused(const monitor::RequestId& id, const call::Refused& why) {
+  return monitor::result({id, why.code, why.message, why.hint, {}});
+}
+
+Json value_now(const Cell& cell) { return {{"epoch", cell.epoch()}, {"tick", cell.state().tick}}; }
+
+// With the real clock, a call that moves time is refused without waiting.
+asio::awaitable<std::optional<call::Refused>> MonitorCalls::wait(CallOf of) {
+  const bool in_real_clock = of.cell().clock().mode() == ClockMode::kReal;
+  if (of.wanted.after && !in_real_clock) {
+    std::optional<call::Refused> error = co_await wait_for_bytes(*of.at, *of.wanted.after);
+    if (error) co_return error;
+  }
+  if (moves_time(of.wanted)) co_await of.at->transports().read_arrived();
+  co_return std::nullopt;
+}
+
+MonitorCalls::Answer MonitorCalls::carry_out(CallOf of, const call::Call& call) {
+  Cell& cell = of.cell();
+  if (const auto error = monitor::limit_ticks(of.request, cell.state().tick))
+    co_return monitor::result(*error);
   if (!may_enlarge(call))
-    return refused(request.id, {"limit", "the server has allocated more than --max-memory",
+    co_return refused(of.id(), {"limit", "the server has allocated more than --max-memory",
                                 "remove blocks, or restart the server"});
-  if (const auto error = validate_snapshot(request.id, cell.model(), call))
-    return monitor::result(*error);
+  if (const auto error = validate_snapshot(of.id(), cell.model(), call))
+    co_return monitor::result(*error);
   const Applied applied = cell.apply(call, wall_now());
   if (const auto* no = std::get_if<call::Refused>(&applied.outcome))
-    return refused(request.id, *no);
-  return done(at, request, std::get<call::Done>(applied.outcome));
+    co_return refused(of.id(), *no);
+  co_return done(of, call, std::get<call::Done>(applied.outcome));
 }
 
 /// One cell is bounded by its own limits; many together are bounded here.
-bool MonitorService::may_enlarge(const call::Call& call) const {
+bool MonitorCalls::may_enlarge(const call::Call& call) const {
   const bool is_bounded = memory_ != nullptr && !cells_.is_single();
   return !is_bounded || !call::traits_of(call).enlarges || !memory_->is_exceeded();
 }
 
-monitor::Message MonitorService::done(HostedCell& at, const monitor::Request& request,
-                                      const call::Done& done) {
-  const Cell& cell = at.cell();
-  const auto& wanted = std::get<monitor::CallRequest>(request.what);
-  const auto& call = std::get<call::Call>(wanted.call);
+monitor::Message MonitorCalls::done(CallOf of, const call::Call& call, const call::Done& done) {
+  const Cell& cell = of.cell();
+  const call::Traits traits = call::traits_of(call);
+  if (traits.returns_faults) return monitor::result(of.id(), value_with_faults(cell));
   Json value = value_now(cell);
   if (done.reached) value["reached"] = *done.reached;
   if (done.ran_ticks) value["ran_ticks"] = *done.ran_ticks;
-  const call::Traits traits = call::traits_of(call);
-  if (traits.returns_faults) return monitor::result(request.id, value_with_faults(cell));
-  if (traits.moves_time) value["state"] = state_json(cell.model(), cell.snapshot(), wanted.fields);
+  if (traits.moves_time)
+    value["state"] = state_json(cell.model(), cell.snapshot(), of.wanted.fields);
   if (done.saved) {
     const std::string name = snapshot_name(call);
     const bool is_inline = name.empty() && std::holds_alternative<call::SaveSnapshot>(call);
     add_saved(*done.saved, name, is_inline, value);
   }
-  return monitor::result(request.id, value);
+  return monitor::result(of.id(), value);
+}
+
+MonitorCalls::Answer MonitorCalls::carry_out(CallOf of, const monitor::ListFaults&) {
+  co_return monitor::result(of.id(), value_with_faults(of.cell()));
+}
+
+MonitorCalls::Answer MonitorCalls::carry_out(CallOf of, const monitor::ReadTranscript&) {
+  Cell& cell = of.cell();
+  cell.catch_up(wall_now());
+  if (cell.transcript() == nullptr)
+    co_return refused(of.id(), {"no_transcript", "only the byte clock has a transcript",
+                                "start with --clock bytes"});
+  const TranscriptSummary summary = cell.transcript()->summary();
+  Json value = value_now(cell);
+  value["sha256"] = transcript_digest(summary, cell.model(), cell.state(), cell.clock_remainder());
+  value["lines"] = summary.lines;
+  value["bytes_in"] = summary.bytes_in;
+  value["bytes_out"] = summary.bytes_out;
+  value["marks"] = marks_json(summary);
+  co_return monitor::result(of.id(), value);
 }
 
 }  // namespace xr3

@@ -6,7 +6,7 @@
 #include "cell/cell.hpp"
 #include "protocol/explain/diagnostic.hpp"
 #include "protocol/explain/event_report.hpp"
-#include "server/monitor_port/service.hpp"
+#include "server/monitor_port/calls.hpp"
 #include "server/net/wall_clock.hpp"
 
 namespace xr3 {
@@ -53,38 +53,17 @@ Json device_line_json(const DeviceLink& device) {
           {"last", readable(device.last())},    {"serial", text_of(device.settings())}};
 }
 
-}  // namespace
-
-call::Refused no_such_line(LineId line) {
-  return {"no_such_line", "line " + std::to_string(line) + " is not open",
-          "lines are numbered from 1 as they are opened"};
-}
-
-std::optional<LineId> MonitorService::open_own_line(const HostedCell& at, MonitorSession& session) {
-  const std::map<std::string, LineId>& lines = session.own_lines();
-  const auto known = lines.find(at.name());
-  if (known == lines.end() || at.cell().find_line(known->second) == nullptr) return std::nullopt;
+/// The open line that the session has at the cell; nullopt: none.
+std::optional<LineId> open_own_line(const CallOf& of) {
+  const std::map<std::string, LineId>& lines = of.session.own_lines();
+  const auto known = lines.find(of.at->name());
+  if (known == lines.end() || of.cell().find_line(known->second) == nullptr) return std::nullopt;
   return known->second;
-}
-
-std::optional<LineId> MonitorService::own_line(HostedCell& at, MonitorSession& session) {
-  if (const std::optional<LineId> open = open_own_line(at, session)) return open;
-  std::map<std::string, LineId>& lines = session.own_lines();
-  const auto is_closed = [this](const auto& line) {
-    const CellPtr cell = cells_.find(line.first);
-    return !cell || cell->cell().find_line(line.second) == nullptr;
-  };
-  if (lines.size() >= kMaxOwnLines) std::erase_if(lines, is_closed);
-  if (lines.size() >= kMaxOwnLines) return std::nullopt;
-  const LineId opened = at.cell().apply(LineOpened{"monitor", LineKind::kMonitor}, wall_now()).line;
-  lines[at.name()] = opened;
-  return opened;
 }
 
 // Camera images can fill the outbox. The client sends the rest of the bytes with the next call, so
 // that no call takes long.
-asio::awaitable<std::size_t> MonitorService::receive(HostedCell& at, LineId line,
-                                                     std::string_view bytes) {
+asio::awaitable<std::size_t> receive(HostedCell& at, LineId line, std::string_view bytes) {
   Cell& cell = at.cell();
   const WallNs end = wall_now() + kMaxSendTime;
   for (std::size_t taken = 0;;) {
@@ -98,54 +77,71 @@ asio::awaitable<std::size_t> MonitorService::receive(HostedCell& at, LineId line
   }
 }
 
-asio::awaitable<monitor::Message> MonitorService::send(HostedCell& at, MonitorSession& session,
-                                                       const monitor::Request& request) {
-  Cell& cell = at.cell();
-  const auto& wanted = std::get<monitor::CallRequest>(request.what);
-  const std::string& bytes = std::get<monitor::Send>(wanted.call).bytes;
-  if (cell.is_in_past()) co_return refused(request.id, Cell::in_the_past());
+}  // namespace
+
+call::Refused no_such_line(LineId line) {
+  return {"no_such_line", "line " + std::to_string(line) + " is not open",
+          "lines are numbered from 1 as they are opened"};
+}
+
+std::optional<LineId> MonitorCalls::own_line(CallOf of) {
+  if (const std::optional<LineId> open = open_own_line(of)) return open;
+  std::map<std::string, LineId>& lines = of.session.own_lines();
+  const auto is_closed = [this](const auto& line) {
+    const CellPtr cell = cells_.find(line.first);
+    return !cell || cell->cell().find_line(line.second) == nullptr;
+  };
+  if (lines.size() >= kMaxOwnLines) std::erase_if(lines, is_closed);
+  if (lines.size() >= kMaxOwnLines) return std::nullopt;
+  const LineId opened = of.cell().apply(LineOpened{"monitor", LineKind::kMonitor}, wall_now()).line;
+  lines[of.at->name()] = opened;
+  return opened;
+}
+
+MonitorCalls::Answer MonitorCalls::carry_out(CallOf of, const monitor::Send& send) {
+  Cell& cell = of.cell();
+  if (cell.is_in_past()) co_return refused(of.id(), Cell::in_the_past());
   if (const std::optional<LineId> current = cell.current_line();
-      current && current != open_own_line(at, session))
-    co_return refused(request.id, line_waits(*current));
-  const std::optional<LineId> line = own_line(at, session);
-  if (!line) co_return refused(request.id, too_many_lines());
-  const std::size_t taken = co_await receive(at, *line, bytes);
-  if (cell.find_line(*line) == nullptr) co_return refused(request.id, no_such_line(*line));
+      current && current != open_own_line(of))
+    co_return refused(of.id(), line_waits(*current));
+  const std::optional<LineId> line = own_line(of);
+  if (!line) co_return refused(of.id(), too_many_lines());
+  const std::size_t taken = co_await receive(*of.at, *line, send.bytes);
+  if (cell.find_line(*line) == nullptr) co_return refused(of.id(), no_such_line(*line));
   const std::string replies(cell.find_line(*line)->outbox());
   cell.sent({*line, replies.size()});
   Json value = value_now(cell);
   value["line"] = *line;
-  if (taken < bytes.size()) value["taken"] = taken;
+  if (taken < send.bytes.size()) value["taken"] = taken;
   value["hex"] = hexadecimal(replies);
   value["text"] = readable(replies);
-  co_return monitor::result(request.id, value);
+  co_return monitor::result(of.id(), value);
 }
 
-monitor::Message MonitorService::list_lines(HostedCell& at, const monitor::Request& request) {
-  Cell& cell = at.cell();
+MonitorCalls::Answer MonitorCalls::carry_out(CallOf of, const monitor::ListLines&) {
+  Cell& cell = of.cell();
   cell.catch_up(wall_now());
   Json value = value_now(cell);
   if (cell.device() != nullptr) value["device"] = device_line_json(*cell.device());
   Json& lines = value["lines"] = Json::array();
   for (const auto& [id, line] : cell.lines()) lines.push_back(line_json(cell, id, line));
-  return monitor::result(request.id, value);
+  co_return monitor::result(of.id(), value);
 }
 
-monitor::Message MonitorService::disconnect(HostedCell& at, const monitor::Request& request) {
-  Cell& cell = at.cell();
-  const auto& wanted = std::get<monitor::CallRequest>(request.what);
-  const LineId id = std::get<monitor::DisconnectLine>(wanted.call).line;
-  if (cell.find_line(id) == nullptr) return refused(request.id, no_such_line(id));
-  if (!at.transports().disconnect(id))
+MonitorCalls::Answer MonitorCalls::carry_out(CallOf of, const monitor::DisconnectLine& disconnect) {
+  Cell& cell = of.cell();
+  const LineId id = disconnect.line;
+  if (cell.find_line(id) == nullptr) co_return refused(of.id(), no_such_line(id));
+  if (!of.at->transports().disconnect(id))
     cell.apply(LineClosed{id, LineCloseReason::kDisconnected}, wall_now());
-  return monitor::result(request.id, value_now(cell));
+  co_return monitor::result(of.id(), value_now(cell));
 }
 
-monitor::Message MonitorService::release_peer(HostedCell& at, const monitor::Request& request) {
-  const auto owner = at.port() ? at.port()->release_owner() : std::nullopt;
-  Json value = value_now(at.cell());
+MonitorCalls::Answer MonitorCalls::carry_out(CallOf of, const monitor::ReleasePeer&) {
+  const auto owner = of.at->port() ? of.at->port()->release_owner() : std::nullopt;
+  Json value = value_now(of.cell());
   value["owner"] = owner ? Json(owner->to_string()) : Json();
-  return monitor::result(request.id, value);
+  co_return monitor::result(of.id(), value);
 }
 
 }  // namespace xr3

@@ -1,5 +1,5 @@
-// The monitor's calls on the past of a cell: `history`, `look`, `live`, `seek` and `branch`. A time
-// of the past is made in the worker, one at a time.
+#include "server/monitor_port/past_calls.hpp"
+
 #include <algorithm>
 #include <deque>
 #include <nlohmann/json.hpp>
@@ -8,7 +8,6 @@
 #include "cell/frames.hpp"
 #include "cell/history/past.hpp"
 #include "protocol/explain/event_report.hpp"
-#include "server/monitor_port/service.hpp"
 #include "server/net/wall_clock.hpp"
 
 namespace xr3 {
@@ -39,13 +38,6 @@ call::Refused not_kept(const ReplayTime& time, const std::vector<EpochSpan>& spa
           ? span_text(*same) + " is kept"
           : "the call history lists what is kept: " + span_text(spans.front()) + ", and later";
   return {"not_kept", wanted + " is not kept", hint};
-}
-
-const monitor::PastTime& time_of(const monitor::Request& request) {
-  const auto& call = std::get<monitor::CallRequest>(request.what).call;
-  if (const auto* look = std::get_if<monitor::Look>(&call)) return look->at;
-  if (const auto* seek = std::get_if<monitor::Seek>(&call)) return seek->at;
-  return std::get<monitor::Branch>(call).at;
 }
 
 // --- The history.
@@ -122,63 +114,33 @@ Made make(const recording::Header& header, const HistoryPart& part, const Replay
   return made;
 }
 
+/// Whether the cell keeps a history; refuses the call if not.
+bool has_history(const CallOf& of) {
+  of.cell().catch_up(wall_now());
+  if (of.at->history() != nullptr) return true;
+  of.session.send(refused(of.id(), no_history(*of.at)));
+  return false;
+}
+
 }  // namespace
 
 /// A time of a cell's past.
-struct MonitorService::Moment {
+struct PastCalls::Moment {
   MachineSnapshotPtr machine;
   ReplayTime wanted;
   ReplayTime time;
   std::vector<monitor::Message> frames;
 };
 
-asio::awaitable<void> MonitorService::call_past(CellPtr at, MonitorSession& session,
-                                                monitor::Request request) {
-  const monitor::RequestId id = request.id;
-  const auto& call = std::get<monitor::CallRequest>(request.what).call;
-  at->cell().catch_up(wall_now());
-  if (std::holds_alternative<monitor::Live>(call)) {
-    end_look(*at, session, id);
-    co_return;
-  }
-  if (at->history() == nullptr) {
-    session.send(refused(id, no_history(*at)));
-    co_return;
-  }
-  if (std::holds_alternative<monitor::ReadHistory>(call)) {
-    co_await list_history(std::move(at), session, id);
-    co_return;
-  }
-  const auto* look = std::get_if<monitor::Look>(&call);
-  const bool is_seek = std::holds_alternative<monitor::Seek>(call);
-  std::vector<monitor::Selection> selections;
-  if (look != nullptr) selections = look->selections;
-  const std::optional<Moment> moment =
-      co_await make_moment(at, session, std::move(request), std::move(selections));
-  if (!moment) co_return;
-  monitor::Client& client = session.client();
-  if (is_seek) {
-    at->cell().apply(Rewind{moment->machine, moment->wanted}, wall_now());
-    at->acted();
-    client.send(monitor::result(id, value_now(at->cell())));
-  } else if (look == nullptr) {
-    client.send(open_branch(*at, *moment, id));
-  } else {
-    client.hold_frames(at->name());
-    for (const monitor::Message& frame : moment->frames) client.send(monitor::as_past(frame, id));
-    client.send(monitor::result(id, {{"epoch", moment->time.epoch}, {"tick", moment->time.tick}}));
-  }
-}
-
 /// Sends the error and gives nothing if the time is not kept.
-asio::awaitable<std::optional<MonitorService::Moment>> MonitorService::make_moment(
-    CellPtr at, MonitorSession& session, monitor::Request request,
-    std::vector<monitor::Selection> selections) {
-  const monitor::PastTime& wanted = time_of(request);
+asio::awaitable<std::optional<PastCalls::Moment>> PastCalls::make_moment(
+    CallOf of, monitor::PastTime wanted, std::vector<monitor::Selection> selections) {
+  if (!has_history(of)) co_return std::nullopt;
+  const CellPtr& at = of.at;
   const ReplayTime time{wanted.epoch.value_or(at->cell().epoch()), wanted.tick};
-  const auto refuse = [&](const call::Refused& why) { session.send(refused(request.id, why)); };
-  co_await making_past_.until_free();
-  const Exclusive::Hold hold(making_past_);
+  const auto refuse = [&](const call::Refused& why) { of.session.send(refused(of.id(), why)); };
+  co_await making_.until_free();
+  const Exclusive::Hold hold(making_);
   const HistoryPartPtr part = at->is_retired() ? nullptr : at->history()->part_before(time);
   if (!part) {
     refuse(not_kept(time, at->history()->epochs()));
@@ -193,7 +155,7 @@ asio::awaitable<std::optional<MonitorService::Moment>> MonitorService::make_mome
     refuse({"not_repeatable", "the history does not fit itself: " + to_text(*made.difference),
             "this is a defect of xr3; please report it with this message"});
   } else if (at->is_retired()) {
-    session.send(unknown_cell(session, request));
+    of.session.send(sessions_.unknown_cell(of.session, of.request));
   } else if (!at->history()->covers(time)) {
     refuse(not_kept(time, at->history()->epochs()));
   } else {
@@ -202,37 +164,64 @@ asio::awaitable<std::optional<MonitorService::Moment>> MonitorService::make_mome
   co_return std::nullopt;
 }
 
-asio::awaitable<void> MonitorService::list_history(CellPtr at, MonitorSession& session,
-                                                   monitor::RequestId id) {
-  const Cell& cell = at->cell();
-  std::vector<EpochSpan> spans = at->history()->epochs();
-  Json value = value_now(cell);
-  value["past"] = cell.is_in_past();
-  co_await listing_events_.until_free();
-  const Exclusive::Hold hold(listing_events_);
-  value["epochs"] = spans_json(spans);
-  Json marks = co_await latest_marks(*at, std::move(spans));
-  value["events"] = std::move(marks);
-  session.send(monitor::result(id, value));
+asio::awaitable<void> PastCalls::carry_out(CallOf of, const monitor::Look& look) {
+  const std::optional<Moment> moment = co_await make_moment(of, look.at, look.selections);
+  if (!moment) co_return;
+  monitor::Client& client = of.session.client();
+  client.hold_frames(of.at->name());
+  for (const monitor::Message& frame : moment->frames)
+    client.send(monitor::as_past(frame, of.id()));
+  client.send(
+      monitor::result(of.id(), {{"epoch", moment->time.epoch}, {"tick", moment->time.tick}}));
 }
 
-void MonitorService::end_look(HostedCell& at, MonitorSession& session,
-                              const monitor::RequestId& id) {
-  session.send(monitor::result(id, value_now(at.cell())));
-  session.client().release_frames(at.name());
-  at.hub().acted();
+asio::awaitable<void> PastCalls::carry_out(CallOf of, const monitor::Seek& seek) {
+  const std::vector<monitor::Selection> none;
+  const std::optional<Moment> moment = co_await make_moment(of, seek.at, none);
+  if (!moment) co_return;
+  of.cell().apply(Rewind{moment->machine, moment->wanted}, wall_now());
+  of.at->acted();
+  of.session.send(monitor::result(of.id(), value_now(of.cell())));
 }
 
-monitor::Message MonitorService::open_branch(HostedCell& at, const Moment& moment,
-                                             const monitor::RequestId& id) {
-  const auto opened = open_branch_(at, moment.machine);
-  if (const auto* no = std::get_if<call::Refused>(&opened)) return refused(id, *no);
+asio::awaitable<void> PastCalls::carry_out(CallOf of, const monitor::Branch& branch) {
+  const std::vector<monitor::Selection> none;
+  const std::optional<Moment> moment = co_await make_moment(of, branch.at, none);
+  if (!moment) co_return;
+  const auto opened = open_branch_(*of.at, moment->machine);
+  if (const auto* no = std::get_if<call::Refused>(&opened)) {
+    of.session.send(refused(of.id(), *no));
+    co_return;
+  }
   const CellPtr& cell = std::get<CellPtr>(opened);
   Json value = value_now(cell->cell());
   value["cell"] = cell->name();
   value["robot_port"] = cell->port()->endpoint().port();
   if (!cell->token().empty()) value["token"] = cell->token();
-  return monitor::result(id, value);
+  of.session.send(monitor::result(of.id(), value));
+}
+
+asio::awaitable<void> PastCalls::carry_out(CallOf of, const monitor::ReadHistory&) {
+  if (!has_history(of)) co_return;
+  std::vector<EpochSpan> spans = of.at->history()->epochs();
+  if (spans.size() > kMaxEpochs)
+    spans.erase(spans.begin(), spans.end() - static_cast<std::ptrdiff_t>(kMaxEpochs));
+  Json value = value_now(of.cell());
+  value["past"] = of.cell().is_in_past();
+  co_await listing_events_.until_free();
+  const Exclusive::Hold hold(listing_events_);
+  value["epochs"] = spans_json(spans);
+  Json marks = co_await latest_marks(*of.at, std::move(spans));
+  value["events"] = std::move(marks);
+  of.session.send(monitor::result(of.id(), value));
+}
+
+asio::awaitable<void> PastCalls::carry_out(CallOf of, const monitor::Live&) {
+  of.cell().catch_up(wall_now());
+  of.session.send(monitor::result(of.id(), value_now(of.cell())));
+  of.session.client().release_frames(of.at->name());
+  of.at->hub().acted();
+  co_return;
 }
 
 }  // namespace xr3

@@ -40,7 +40,7 @@ class MonitorPort {
   /// Counts the connections towards a limit of memory, which must outlive the port.
   void limit_memory(MemoryLimit& limit) {
     context_.memory = &limit;
-    service_.limit_memory(limit);
+    service_.calls().limit_memory(limit);
   }
   /// The most bytes that one connection holds.
   std::size_t most_held() const;

@@ -11,14 +11,14 @@ MonitorSession::MonitorSession(MonitorService& service, MessageSink& sink,
                                std::optional<std::string> chosen)
     : service_(service),
       sink_(sink),
-      access_(service.first_access()),
+      access_(service.sessions().first_access()),
       chosen_cell_(std::move(chosen)) {
-  client_.send(service_.hello(*this));
-  service_.add(*this);  // last: if anything throws, the session is not registered
+  client_.send(service_.sessions().hello(*this));
+  service_.sessions().add(*this);  // last: if anything throws, the session is not registered
 }
 
 // NOLINTNEXTLINE(bugprone-exception-escape): remove() throws only without memory for its caller
-MonitorSession::~MonitorSession() { service_.remove(*this); }
+MonitorSession::~MonitorSession() { service_.sessions().remove(*this); }
 
 asio::awaitable<void> MonitorSession::handle(std::string_view message) {
   if (auto refusal = service_.refuse(*this, message)) {

@@ -199,7 +199,7 @@ asio::awaitable<std::optional<Answer>> HttpResources::refuse_reading(const Route
   const std::optional<std::string_view> token = bearer_token(request);
   if (!token) co_return http::metrics_token_required();
   if (policy_.is_right_for_metrics(*token)) co_return std::nullopt;
-  co_await service_.wrong_tokens().delay();
+  co_await service_.sessions().wrong_tokens().delay();
   co_return http::bad_metrics_token();
 }
 

@@ -23,8 +23,8 @@ open lines | server/net/socket_limits.hpp | lines
 open lines | cli/options/serve.cpp | kMaxLines
 cells | server/options/options.hpp | max_cells
 cells | cli/options/serve.cpp | kMaxCells
-subscriptions of a monitor client, and lines of its own by `send` | server/monitor_port/service.hpp | kMaxSubscriptions
-subscriptions of a monitor client, and lines of its own by `send` | server/monitor_port/service.hpp | kMaxOwnLines
+subscriptions of a monitor client, and lines of its own by `send` | server/monitor_port/channels.hpp | kMaxSubscriptions
+subscriptions of a monitor client, and lines of its own by `send` | server/monitor_port/calls.hpp | kMaxOwnLines
 branches of a cell, and lines of each | server/cells/branch_cells.hpp | kMostPerOrigin
 branches of a cell, and lines of each | server/net/socket_limits.hpp | kLinesPerBranch
 memory of the process | server/options/options.hpp | max_memory_mib
@@ -78,7 +78,7 @@ the same in recordings and snapshots, which may be of earlier versions | protoco
 the same in recordings and snapshots, which may be of earlier versions | core/camera.hpp | kMaxCameraRows
 a data file | server/files/data_files.cpp | kLargestFile | 1048576
 a data file | server/files/data_files.cpp | kMaxWaitMs | 1000
-wrong tokens of a connection | server/monitor_port/service.cpp | kMaxWrongTokens
+wrong tokens of a connection | server/monitor_port/sessions.cpp | kMaxWrongTokens
 wrong tokens of a connection | server/monitor_port/wrong_tokens.hpp | kWrongTokenDelay
 wrong tokens of all connections | server/monitor_port/wrong_tokens.hpp | kWrongTokensPerSecond
 a token | server/options/token.hpp | kMinTokenBytes

@@ -197,7 +197,7 @@ TEST_F(MonitorServiceTest, CountersAreSumsAndKeepThoseOfClosedCells) {
 
 TEST_F(MonitorServiceTest, ManyCellsTogetherAreBoundedByTheMemory) {
   MemoryLimit limit(io_, 1, [] { return 0; });
-  service_.limit_memory(limit);
+  service_.calls().limit_memory(limit);
   read(one_);
   EXPECT_TRUE(call(one_, "snapshot_save", R"({"name":"a"})")["ok"])
       << "one cell has its own limits";
@@ -208,17 +208,17 @@ TEST_F(MonitorServiceTest, ManyCellsTogetherAreBoundedByTheMemory) {
 }
 
 TEST_F(MonitorServiceTest, ASessionHasAFewLinesAndSubscriptions) {
-  for (std::size_t i = 0; i < MonitorService::kMaxSubscriptions; ++i)
+  for (std::size_t i = 0; i < MonitorChannels::kMaxSubscriptions; ++i)
     host_.add(test::rhino(), std::to_string(i));
   read(one_);
   const auto at = [](std::size_t cell) { return R"(,"cell":")" + std::to_string(cell) + "\"}"; };
-  for (std::size_t i = 0; i < MonitorService::kMaxSubscriptions; ++i)
+  for (std::size_t i = 0; i < MonitorChannels::kMaxSubscriptions; ++i)
     EXPECT_TRUE(ask(one_, R"({"op":"sub","channel":"event")" + at(i)).at(0)["ok"]);
   EXPECT_EQ(answer(one_, R"({"op":"sub","channel":"line")" + at(0))["error"]["code"], "limit");
   EXPECT_TRUE(answer(one_, R"({"op":"sub","channel":"event")" + at(0))["ok"]) << "it replaces one";
   const std::string send = R"({"op":"call","fn":"send","args":{"text":""})";
-  for (std::size_t i = 0; i < MonitorService::kMaxOwnLines; ++i) ask(one_, send + at(i));
-  const std::string more = send + at(MonitorService::kMaxOwnLines);
+  for (std::size_t i = 0; i < MonitorCalls::kMaxOwnLines; ++i) ask(one_, send + at(i));
+  const std::string more = send + at(MonitorCalls::kMaxOwnLines);
   EXPECT_EQ(answer(one_, more)["error"]["code"], "limit");
   host_.cells.find("0")->cell().apply(LineClosed{1, LineCloseReason::kDisconnected}, wall_now());
   EXPECT_TRUE(ask(one_, more).at(0)["ok"]) << "events follow";

@@ -1,0 +1,50 @@
+// The calls of monitor sessions on the past of a cell: `history`, `look`, `live`, `seek` and
+// `branch`. A time of the past is made in the worker, one at a time.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "server/monitor_port/calls.hpp"
+#include "server/monitor_port/sessions.hpp"
+#include "server/net/asio.hpp"
+#include "server/net/exclusive.hpp"
+#include "server/net/worker.hpp"
+
+namespace xr3 {
+
+class PastCalls {
+ public:
+  /// The references must outlive it.
+  PastCalls(asio::io_context& io, Worker& worker, const MonitorSessions& sessions)
+      : worker_(worker), sessions_(sessions), making_(io), listing_events_(io) {}
+
+  /// Opens the cells of the call `branch`: a cell that begins with this state of another one, or
+  /// the refusal.
+  using OpenBranch =
+      std::function<std::variant<CellPtr, call::Refused>(HostedCell& of, MachineSnapshotPtr past)>;
+  void branch_by(OpenBranch open) { open_branch_ = std::move(open); }
+
+  // Each answers the call itself.
+  asio::awaitable<void> carry_out(CallOf of, const monitor::ReadHistory&);
+  asio::awaitable<void> carry_out(CallOf of, const monitor::Look& look);
+  static asio::awaitable<void> carry_out(CallOf of, const monitor::Live&);
+  asio::awaitable<void> carry_out(CallOf of, const monitor::Seek& seek);
+  asio::awaitable<void> carry_out(CallOf of, const monitor::Branch& branch);
+
+ private:
+  struct Moment;
+  asio::awaitable<std::optional<Moment>> make_moment(CallOf of, monitor::PastTime wanted,
+                                                     std::vector<monitor::Selection> selections);
+
+  Worker& worker_;
+  const MonitorSessions& sessions_;
+  Exclusive making_;          ///< a time of a cell's past; meanwhile others who look wait
+  Exclusive listing_events_;  ///< for a call `history`; meanwhile other such calls wait
+  OpenBranch open_branch_;
+};
+
+}  // namespace xr3

@@ -1,0 +1,33 @@
+#include "server/monitor_port/server_calls.hpp"
+
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "protocol/monitor/call_table.hpp"
+#include "server/monitor_port/sessions.hpp"
+
+namespace xr3 {
+
+asio::awaitable<void> ServerCalls::carry_out(CallOf of, const monitor::ListCells&) {
+  const std::vector<monitor::CellSummary> summaries = co_await overview_.summaries();
+  Json list = Json::array();
+  for (const monitor::CellSummary& each : summaries) {
+    const CellPtr at = cells_.find(each.name);
+    if (!at || !MonitorSessions::may_see(of.session, *at)) continue;
+    Json entry = monitor::summary_json(each);
+    const bool knows_all = of.session.access() == Access::kControl;
+    if (knows_all && !at->token().empty()) entry["token"] = at->token();
+    list.push_back(std::move(entry));
+  }
+  of.session.send(monitor::result(of.id(), {{"cells", std::move(list)}}));
+}
+
+asio::awaitable<void> ServerCalls::carry_out(CallOf of, const monitor::Describe& describe) {
+  Json value = of.at ? value_now(of.cell()) : Json{{"epoch", nullptr}, {"tick", nullptr}};
+  value.update(monitor::description(describe.fn));
+  of.session.send(monitor::result(of.id(), value));
+  if (of.at) of.at->acted();
+  co_return;
+}
+
+}  // namespace xr3
