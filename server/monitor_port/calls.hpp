@@ -1,4 +1,4 @@
-// The calls of monitor sessions on one cell, except those on its past. Each kind of call has its own
+// The calls of monitor sessions on one cell, except those on its past. Each kind of call has a
 // function, which is found by the type of the call.
 #pragma once
 

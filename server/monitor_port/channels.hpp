@@ -1,4 +1,5 @@
-// The requests `sub`, `unsub` and `get`, on the channels of a cell and on the overview of all cells.
+// The requests `sub`, `unsub` and `get`, on the channels of a cell and on the overview of all
+// cells.
 #pragma once
 
 #include <cstddef>

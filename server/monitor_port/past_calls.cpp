@@ -204,8 +204,6 @@ asio::awaitable<void> PastCalls::carry_out(CallOf of, const monitor::Branch& bra
 asio::awaitable<void> PastCalls::carry_out(CallOf of, const monitor::ReadHistory&) {
   if (!has_history(of)) co_return;
   std::vector<EpochSpan> spans = of.at->history()->epochs();
-  if (spans.size() > kMaxEpochs)
-    spans.erase(spans.begin(), spans.end() - static_cast<std::ptrdiff_t>(kMaxEpochs));
   Json value = value_now(of.cell());
   value["past"] = of.cell().is_in_past();
   co_await listing_events_.until_free();
