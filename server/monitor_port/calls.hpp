@@ -26,7 +26,7 @@ call::Refused no_such_line(LineId line);
 
 /// A call with its cell and its session, which exist until it is answered.
 struct CallOf {
-  const CellPtr& at;  ///< null: none; only calls on the server allow that
+  const CellPtr& at;  ///< nullptr is possible for calls on the server only
   MonitorSession& session;
   monitor::Request& request;
   const monitor::CallRequest& wanted;  ///< in the request
