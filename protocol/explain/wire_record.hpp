@@ -27,8 +27,8 @@ namespace wire {
 /// An executed command, and the results that its text needs.
 struct Executed {
   Command command;
-  std::optional<std::int8_t> counter;  ///< Move: the joint's error counter after it
-  bool is_on = false;                  ///< a toggle: the new value
+  std::optional<std::int8_t> counter = {};  ///< Move: the joint's error counter after it
+  bool is_on = false;                       ///< a toggle: the new value
   bool has_device = false;  ///< ToggleSimulator: commands go to the device while disabled
 };
 
