@@ -34,9 +34,9 @@ struct ConnectionCells::Client {
 };
 
 /// The one line of a cell.
-class ConnectionCells::Guest final : public LineSource {
+class ConnectionCells::CellLine final : public LineSource {
  public:
-  Guest(ConnectionCells& owner, CellPtr cell) : owner_(owner), cell_(std::move(cell)) {}
+  CellLine(ConnectionCells& owner, CellPtr cell) : owner_(owner), cell_(std::move(cell)) {}
   const CellPtr& cell() const { return cell_; }
 
   void accept_arrived() override {}
@@ -105,16 +105,16 @@ std::optional<Detection> ConnectionCells::read(Client& client) {
 // --- Cells.
 
 void ConnectionCells::serve(Client& client) {
-  if (guests_.size() >= rules_.max_cells && !lingering_.empty())
+  if (cells_.size() >= rules_.max_cells && !lingering_.empty())
     close_cell(lingering_.front().second);
-  if (guests_.size() >= rules_.max_cells)
+  if (cells_.size() >= rules_.max_cells)
     return refuse("as many cells have a line as --max-cells allows");
   const CellPtr cell = open_("c" + std::to_string(++last_));
-  const auto guest = guests_.emplace(cell.get(), std::make_unique<Guest>(*this, cell)).first;
+  const auto served = cells_.emplace(cell.get(), std::make_unique<CellLine>(*this, cell)).first;
   const LineOpened opened{to_text(client.peer), LineKind::kTcp, rules_.guard};
   ++lines_;
   ErrorCode ignored;
-  cell->lines().open(*guest->second,
+  cell->lines().open(*served->second,
                      std::make_unique<RobotSocket>(Descriptor(client.socket.release(ignored)),
                                                    std::move(client.bytes)),
                      opened, std::move(client.place));
@@ -132,17 +132,16 @@ void ConnectionCells::turn_away() {
   if (rules_.report_other && is_due(next_other_log_)) rules_.report_other();
 }
 
-void ConnectionCells::line_ended(Guest& guest) {
+void ConnectionCells::line_ended(const CellLine& line) {
   --lines_;
   if (is_closing_) return;
-  lingering_.emplace_back(wall_now() + rules_.linger, guest.cell().get());
+  lingering_.emplace_back(wall_now() + rules_.linger, line.cell().get());
   if (lingering_.size() == 1) arm();
 }
 
 void ConnectionCells::close_cell(const HostedCell* cell) {
   std::erase_if(lingering_, [cell](const auto& each) { return each.second == cell; });
-  const auto guest = guests_.extract(cell);
-  close_(guest.mapped()->cell());
+  close_(cells_.extract(cell).mapped()->cell());
 }
 
 // One timer for all: every cell lingers for the same time, so the first of the queue goes first.

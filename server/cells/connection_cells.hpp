@@ -23,9 +23,9 @@
 namespace xr3 {
 
 struct ConnectionCellsRules {
-  std::size_t max_lines = 1000;  ///< connections, also those that have not sent a byte
-  std::size_t max_cells = 1000;  ///< also those that linger
-  WallNs linger = 0;             ///< how long a cell is kept after its line
+  std::size_t max_lines = 1000;  ///< connections, including those that have not sent a byte
+  std::size_t max_cells = 1000;  ///< cells, including those that linger
+  WallNs linger = 0;             ///< time for which a cell is kept after its line has closed
   Guard guard = Guard::kNormal;
   PeerCounts peers = PeerCounts();
   /// Called, at most once a second, for a connection that is no robot program; may be empty.
@@ -64,7 +64,7 @@ class ConnectionCells {
 
  private:
   struct Client;
-  class Guest;
+  class CellLine;
   using ClientPtr = std::shared_ptr<Client>;
 
   void take(NewConnection connection);
@@ -73,7 +73,7 @@ class ConnectionCells {
   void serve(Client& client);
   void refuse(const char* why);
   void turn_away();
-  void line_ended(Guest& guest);
+  void line_ended(const CellLine& line);
   void close_cell(const HostedCell* cell);
   void arm();
   void close_due();
@@ -84,8 +84,8 @@ class ConnectionCells {
   Open open_;
   Close close_;
   std::set<ClientPtr> waiting_;
-  std::map<const HostedCell*, std::unique_ptr<Guest>> guests_;
-  /// Cells without a line, with the time at which they go: the longest-lingering first.
+  std::map<const HostedCell*, std::unique_ptr<CellLine>> cells_;
+  /// Cells without a line, with the time at which they are closed: the earliest first.
   std::deque<std::pair<WallNs, const HostedCell*>> lingering_;
   asio::steady_timer timer_;
   std::array<char, kFirstChunk> scratch_{};

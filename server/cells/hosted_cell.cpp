@@ -23,6 +23,7 @@ HostedCell::~HostedCell() {
 }
 
 RobotPort& HostedCell::add_port(RobotPortRules rules) {
+  assert(!port_);
   port_ = std::make_unique<RobotPort>(context_.io, cell_, lines_, std::move(rules));
   return *port_;
 }
@@ -70,6 +71,7 @@ void HostedCell::close(WallNs deadline) {
 }
 
 void HostedCell::retire() {
+  assert(cell_.lines().empty());
   is_retired_ = true;
   close_ports();
   freeze();

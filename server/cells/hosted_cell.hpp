@@ -1,7 +1,18 @@
-// A cell with everything of the server that belongs to it alone: its serial lines, its ports, its
-// timer, and the frames and subscribers of its channels.
+// A cell with all parts of the server that belong to it alone: its serial lines, its ports, its
+// timers, and the frames and subscribers of its channels.
+//
+// The flow through the folder: seed.hpp loads the files of a cell and makes a HostedCell of them.
+// The registry (registry.hpp) holds the cells of the server by name and by token; a cell lives as
+// long as a shared pointer to it. Three callers add cells: the App at the start, ConnectionCells
+// (connection_cells.hpp) for each connection of `--cell-per-connection`, and BranchCells
+// (branch_cells.hpp) for copies of a cell's past. After each input, from whatever port, acted()
+// runs: it wakes the lines that have replies, sets the timers for due bytes and for silence, passes
+// bytes on to a physical controller, and lets the subscribers know of the change. A cell is closed
+// in two steps: close() ends its lines, and retire() its timers, since a request of the monitor may
+// still hold it.
 #pragma once
 
+#include <cassert>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -35,8 +46,8 @@ struct CellContext {
   LineTurns& turns;
   Worker& worker;
   std::function<void(HostedCell&)> acted;    ///< called after each input of a cell
-  monitor::ByteBudget* rings = nullptr;      ///< of the rings of all cells; null: no limit
-  monitor::ByteBudget* histories = nullptr;  ///< of the histories of all cells
+  monitor::ByteBudget* rings = nullptr;      ///< limit for the rings of all cells; nullptr if none
+  monitor::ByteBudget* histories = nullptr;  ///< limit for the histories of all cells
 };
 
 /// The parts with which a cell begins.
@@ -45,7 +56,7 @@ struct CellParts {
   ModelPtr model;
   SimClock clock;
   CellEventSink sink;      ///< may be empty
-  std::string token = {};  ///< of this cell; empty: none
+  std::string token = {};  ///< token of this cell; empty if it has none
 };
 
 class HostedCell : public std::enable_shared_from_this<HostedCell> {
@@ -60,7 +71,7 @@ class HostedCell : public std::enable_shared_from_this<HostedCell> {
   ~HostedCell();
 
   const std::string& name() const { return cell_.name(); }
-  /// Empty: it has none.
+  /// Empty if it has none.
   const std::string& token() const { return token_; }
   Cell& cell() { return cell_; }
   const Cell& cell() const { return cell_; }
@@ -71,27 +82,33 @@ class HostedCell : public std::enable_shared_from_this<HostedCell> {
   SubscriberHub& hub() { return hub_; }
   http::Pictures& pictures() { return pictures_; }
 
-  /// Its own robot port; to be called once.
+  /// Opens the robot port of the cell. Precondition: there is none yet.
   RobotPort& add_port(RobotPortRules rules);
-  /// nullptr: it has none.
+  /// nullptr if it has none.
   RobotPort* port() const { return port_.get(); }
   /// Serves pseudo-terminals. Throws FileError.
   void serve_terminals(const std::vector<std::string>& paths, ::mode_t rights);
   /// Connects a physical controller, which open_device() opens; see Cell::connect_device().
   void connect_device(const DeviceChoice& device, bool is_mirrored);
   /// Throws SerialDeviceError. Precondition: connect_device() was called.
-  void open_device() { device_->open(); }
+  void open_device() {
+    assert(device_);
+    device_->open();
+  }
 
-  /// Records the cell in this new file; see recording.hpp. Throws FileError. Preconditions: no
-  /// input has acted, and the device, if there will be one, is connected.
+  /// Records the cell in this new file, before its first input; see recording.hpp. Throws
+  /// FileError.
   void record(std::string path, RecordingLimits limits);
   /// The cell gets no more input.
   void finish_recording();
 
-  /// From now on, the cell's past is kept for so long. Preconditions: it has no device, and the
-  /// context has a budget.
-  void keep_history(Tick longest) { history_.emplace(cell_, longest, *context_.histories); }
-  /// nullptr: none is kept.
+  /// Keeps the cell's past of the last `longest` ticks. Precondition: the cell has no device, and
+  /// the context has a budget.
+  void keep_history(Tick longest) {
+    assert(!device_ && context_.histories != nullptr);
+    history_.emplace(cell_, longest, *context_.histories);
+  }
+  /// nullptr if none is kept.
   const History* history() const { return history_ ? &*history_ : nullptr; }
 
   /// An input of the cell has acted: serves its lines and subscribers.
@@ -100,8 +117,8 @@ class HostedCell : public std::enable_shared_from_this<HostedCell> {
   /// Accepts no further clients; the lines end as LineSessions::close() says.
   void close_ports();
   void close(WallNs deadline = kNever);
-  /// The cell is closed for good: nothing of it arms a timer any more. Whoever still holds it may
-  /// use it, without effect on anybody. Precondition: no line is open.
+  /// Closes the cell for good, after which it arms no timer. Those that still hold it may use it,
+  /// without effect on others. Precondition: no line is open.
   void retire();
   bool is_retired() const { return is_retired_; }
   /// Ignores all further inputs, for the end of the process.

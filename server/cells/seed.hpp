@@ -1,4 +1,5 @@
-// What a cell begins with, and how a fresh cell is made of it as the options of `serve` say.
+// The parts with which a cell begins, and functions that make a fresh cell of them as the options
+// of `serve` say.
 #pragma once
 
 #include <optional>
@@ -11,7 +12,7 @@
 
 namespace xr3 {
 
-/// One for each cell of the start, or one for all cells of connections.
+/// One for each cell of the start, or one for all cells of --cell-per-connection.
 struct CellSeed {
   ModelPtr model;
   std::optional<FaultPlan> faults;
@@ -28,7 +29,7 @@ ByteClockSettings byte_clock_settings(const ServeOptions& options);
 SimClock start_clock(const ClockChoice& choice);
 
 /// A cell without ports, with the clock, the line speed and the faults of the options and the seed.
-/// `token`: empty: it has none.
+/// `token`: empty if it has none.
 CellPtr make_cell(CellContext& context, const ServeOptions& options, const CellSeed& seed,
                   std::string name, CellEventSink sink, std::string token = {});
 

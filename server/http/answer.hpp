@@ -26,7 +26,7 @@ Answer json(Body body);
 Answer error(unsigned status, const char* code, const std::string& message,
              const std::string& hint);
 
-/// The same answer, after which the connection closes.
+/// Closes the connection after this answer.
 Answer closing(Answer answer);
 
 inline constexpr const char* kRequestHint =

@@ -1,5 +1,6 @@
 #include "server/http/pictures.hpp"
 
+#include <cassert>
 #include <string>
 #include <utility>
 
@@ -9,11 +10,13 @@
 namespace xr3::http {
 
 Body Pictures::bitmap(const ImagePtr& image) {
+  assert(image);
   if (bitmap_.image != image) bitmap_ = {image, Body(to_pbm(*image))};
   return bitmap_.body;
 }
 
 asio::awaitable<Body> Pictures::png(ImagePtr image) {
+  assert(image);
   co_await compressing_.until_free();
   if (png_.image != image) {
     const Exclusive::Hold hold(compressing_);

@@ -1,6 +1,14 @@
 // HTTP/1 heads by Boost.Beast: parses request heads strictly (CR LF ends each line, no folded
-// fields, bounded sizes and counts) and formats response heads. No sockets. Only wire.cpp and
+// fields, bounded sizes and counts) and formats response heads. Only wire.cpp and
 // server/monitor_port/websocket.cpp include Beast.
+//
+// The flow through the folder, which has no sockets and does not know the resources: the bytes of a
+// request come from the session in server/resources. read_head() parses them into an HttpRequest,
+// or says that the head is incomplete or at fault. refuse_head() (answer.hpp) turns a fault into
+// its error response; otherwise the resource returns an Answer: status, type, fields and a Body
+// (body.hpp), whose copies share their bytes. Pictures (pictures.hpp) makes the bodies of camera
+// images, one for all clients, and compresses PNG in the worker. The session then formats the head
+// of the response by head_text(), and sends head and body.
 #pragma once
 
 #include <cstddef>

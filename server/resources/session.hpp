@@ -1,5 +1,14 @@
 // HTTP/1 on a connection of the monitor port: answers one request after the other (keep-alive)
-// until the connection closes or is upgraded to WebSocket. HttpResources makes the answers.
+// until the connection closes or is upgraded to WebSocket.
+//
+// The flow through the folder: a connection of the monitor port whose first bytes look like HTTP
+// gets an HttpSession. It reads a head within a time limit, lets server/http parse it, and asks
+// HttpResources (resources.hpp) for the answer: first whether Host, Origin, method and target are
+// allowed, then the resource by its path, after the cell and the right to read were checked. A
+// resource is a cell's state, robot, workcell or pictures, the health or the metrics of the server
+// (metrics.hpp, process_stats.hpp), the schema of the messages, or a file of the page, which the
+// build embeds in the program (web_assets.hpp). All are read-only. A valid handshake for /ws leaves
+// the session: the connection then belongs to the WebSocket transport in server/monitor_port.
 #pragma once
 
 #include <functional>

@@ -20,7 +20,7 @@ from support import DEADLINE_S, Server
 FOLDER = pathlib.Path(__file__).parent
 LATE_MS = 20  # see SECURITY.md
 STOP_S = 1.0
-MEASURED_S = 0.5  # of each round: five hundred inquiries, a hundred pings
+MEASURED_S = 0.5  # a round: five hundred inquiries, a hundred pings
 MOST_WAIT_S = 90  # more than the patience of the victim
 MIB = 1 << 20
 
@@ -132,7 +132,7 @@ def victim_process(xr3, kind="line"):
         try:
             yield process
         finally:
-            process.stdin.close()  # it ends
+            process.stdin.close()  # ends the victim
 
 
 def ask(victim):

@@ -78,7 +78,7 @@ def come_and_go(target):
 
 
 def engage(target):
-    """Disables the simulator: from now on the commands of the lines go to the device."""
+    """Disables the simulator, so that the commands of the lines go to the device."""
     target.line().sendall(SWITCH)
     with target.page() as sock, sock.makefile("rb") as messages:
         enabled = True
@@ -103,7 +103,7 @@ def flood_unasked(target):
 
 
 def flood_unasked_and_asked(target):
-    """The same while lines ask the device."""
+    """The device sends as fast as the server reads, while lines ask it."""
     drain(target)
     engage(target)
     threading.Thread(target=target.flood, args=(target.line, INQUIRIES, LINES), daemon=True).start()
@@ -153,7 +153,7 @@ class Stopped(Alone):
 
 
 def stop_ns(monitor, end, worked):
-    """What the server worked for one stop, amid bytes of the lines, and the time that it took."""
+    """The server's processor time for one stop, amid bytes of the lines, and the wall time until its effect."""
     read_end(end)
     started, before = time.monotonic_ns(), worked()
     monitor.send(json_line("call", id=1, fn="device_stop", args={}))

@@ -17,8 +17,8 @@ from target import Target, call, get, json_line
 GREEDY = 64
 MANY_PAGES = 1000
 CAP_MIB = 512
-PAST_MIB = 64  # of all cells
-USUAL_MIB = 32  # a server that serves nobody
+PAST_MIB = 64  # the history of all cells
+USUAL_MIB = 32  # a server without clients
 SMALL_BUFFER = 4096
 REPEATED = 20
 QUIET_S = 0.1
@@ -65,7 +65,7 @@ def greedy(name, opener, data, cell=LARGEST, clock="manual", own=None):
     def measure():
         with serving(cell, clock=clock) as (xr3, target), contextlib.ExitStack() as stack:
             send = lambda number: send_greedily(stack.enter_context(opener(target, number)), data)
-            send(0)  # what all share is made for the first one
+            send(0)  # allocates what all connections share
             settle(xr3)
             own_mib = answer_bytes(target, own) / MIB if own else 0.0
             before = peak_mib(xr3)

@@ -14,7 +14,7 @@ from support import DEADLINE_S, Server
 
 CYCLES = 3000
 PORTS = 16
-TURNS = 5  # of filling the ports: what the server reads meanwhile makes room
+TURNS = 5  # rounds of filling the ports, since the server reads meanwhile
 PAUSE_S = 0.2
 MOST_READ = 1 << 16
 LOCAL_MODES = 3  # in the list of tcgetattr
@@ -141,7 +141,7 @@ def greedy(data):
             programs = [opened(path) for path in xr3.ptys]
             for program in programs:
                 stack.callback(os.close, program)
-            fill(programs[:1], data)  # what all share is made for the first one
+            fill(programs[:1], data)  # allocates what all ports share
             before = peak_mib(xr3)
             fill(programs[1:], data)
             settle(xr3)

@@ -14,7 +14,7 @@ LOCALHOST = "127.0.0.1"
 PATIENCE_S = 30.0
 BLOCK_BYTES = 64 * 1024
 MOST_AT_ONCE = 1 << 20
-RESET = struct.pack("ii", 1, 0)  # of SO_LINGER
+RESET = struct.pack("ii", 1, 0)  # the value of SO_LINGER
 
 
 def connect(port, buffer_bytes=None):
@@ -97,7 +97,7 @@ class Target:
         self.flood_each([(opener, data)] * count, reads)
 
     def flood_each(self, clients, reads=True):
-        """The same for clients that differ: pairs of a function that opens a connection, and of the data."""
+        """Repeats different data on each connection. `clients`: pairs of a function that opens a connection, and its data."""
         choice = selectors.DefaultSelector()
         events = selectors.EVENT_WRITE | (selectors.EVENT_READ if reads else 0)
         blocks = {data: data * max(1, BLOCK_BYTES // len(data)) for _, data in clients}

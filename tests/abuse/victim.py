@@ -97,7 +97,7 @@ class Line:
 
 
 class Pty(Line):
-    """The same on a pseudo-terminal, which does not tell when replies arrived: the time is that at which they are read."""
+    """Inquiries on a pseudo-terminal, which does not report the time of arrival: replies count from when they are read."""
 
     def __init__(self, path):
         self.socket = open(path, "r+b", buffering=0, opener=lambda path, flags: os.open(path, flags | os.O_NOCTTY))
@@ -113,8 +113,7 @@ class Pty(Line):
 
 
 class Session(Line):
-    """The same on the monitor port, with pings, of which a turn of the server handles one. The first reply is
-    `hello`."""
+    """Pings on the monitor port, one a turn of the server. The first reply is `hello`."""
 
     EVERY_NS = 5_000_000
     REQUEST = b'{"op":"ping"}\n'
@@ -127,7 +126,7 @@ class Session(Line):
 
 
 class Step(Session):
-    """The same with steps of time, each of which is sent some time after the answer to the last one."""
+    """Steps of time on the monitor port, each sent some time after the answer to the last one."""
 
     EVERY_NS = 50_000_000
     HAS_ONE_AT_A_TIME = True
