@@ -26,7 +26,6 @@
 #include "server/cells/seed.hpp"
 #include "server/files/port_file.hpp"
 #include "server/lines/turns.hpp"
-#include "server/monitor_port/access.hpp"
 #include "server/monitor_port/port.hpp"
 #include "server/net/asio.hpp"
 #include "server/net/memory_limit.hpp"
@@ -34,6 +33,7 @@
 #include "server/net/socket_limits.hpp"
 #include "server/options/options.hpp"
 #include "server/recording/room.hpp"
+#include "server/session/access.hpp"
 
 namespace xr3 {
 

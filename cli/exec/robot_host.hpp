@@ -11,10 +11,10 @@
 #include "server/cells/registry.hpp"
 #include "server/cells/seed.hpp"
 #include "server/lines/turns.hpp"
-#include "server/monitor_port/access.hpp"
 #include "server/monitor_port/port.hpp"
 #include "server/net/asio.hpp"
 #include "server/net/worker.hpp"
+#include "server/session/access.hpp"
 
 namespace xr3 {
 

@@ -27,13 +27,13 @@
 #include "server/lines/due_timer.hpp"
 #include "server/lines/sessions.hpp"
 #include "server/lines/silence_timer.hpp"
-#include "server/monitor_port/subscribers.hpp"
 #include "server/net/asio.hpp"
 #include "server/net/worker.hpp"
 #include "server/options/options.hpp"
 #include "server/pty/port.hpp"
 #include "server/recording/recording.hpp"
 #include "server/robot_port/port.hpp"
+#include "server/session/subscribers.hpp"
 
 namespace xr3 {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "server/cells/hosted_cell.hpp"
-#include "server/monitor_port/access.hpp"
+#include "server/session/access.hpp"
 
 namespace xr3 {
 

@@ -10,13 +10,13 @@
 
 #include "protocol/monitor/protocol_detector.hpp"
 #include "server/monitor_port/json_lines.hpp"
-#include "server/monitor_port/service.hpp"
 #include "server/monitor_port/websocket.hpp"
 #include "server/net/asio.hpp"
 #include "server/net/listener.hpp"
 #include "server/net/peer_counts.hpp"
 #include "server/net/socket.hpp"
 #include "server/resources/session.hpp"
+#include "server/service/service.hpp"
 
 namespace xr3 {
 

@@ -21,7 +21,7 @@ constexpr std::string_view kLineEnd = "\n";
 std::shared_ptr<JsonLines> JsonLines::greet(std::shared_ptr<MonitorSocket> socket,
                                             MonitorService& service) {
   std::shared_ptr<JsonLines> lines(new JsonLines(std::move(socket)));
-  lines->session_ = std::make_unique<MonitorSession>(service, static_cast<MessageSink&>(*lines));
+  lines->session_ = std::make_unique<OpenSession>(service, static_cast<MessageSink&>(*lines));
   lines->pump();
   return lines;
 }

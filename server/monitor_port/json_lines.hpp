@@ -2,6 +2,7 @@
 // reads its answers; writes messages as fast as the connection accepts them.
 #pragma once
 
+#include <cassert>
 #include <cstddef>
 #include <memory>
 #include <string>
@@ -9,10 +10,9 @@
 
 #include "protocol/monitor/line_splitter.hpp"
 #include "protocol/monitor/protocol_detector.hpp"
-#include "server/monitor_port/service.hpp"
-#include "server/monitor_port/session.hpp"
 #include "server/net/asio.hpp"
 #include "server/net/socket.hpp"
+#include "server/service/open_session.hpp"
 
 namespace xr3 {
 
@@ -39,8 +39,11 @@ class JsonLines : public std::enable_shared_from_this<JsonLines>, private Messag
   /// Resumes waiting coroutines after the connection was lost.
   void wake();
 
-  /// Destroys the monitor session. Precondition: run() has finished or was never called.
-  void retire() { session_.reset(); }
+  /// Destroys the monitor session. Precondition: the connection is closed.
+  void retire() {
+    assert(!socket_->is_open());
+    session_.reset();
+  }
 
  private:
   explicit JsonLines(std::shared_ptr<MonitorSocket> socket);
@@ -68,7 +71,7 @@ class JsonLines : public std::enable_shared_from_this<JsonLines>, private Messag
   bool is_pumping_ = false;
   bool is_answered_ = false;     ///< no further request will be handled
   asio::steady_timer progress_;  ///< never expires; cancelled to resume waiting coroutines
-  std::unique_ptr<MonitorSession> session_;
+  std::unique_ptr<OpenSession> session_;
   monitor::LineSplitter lines_;
 };
 

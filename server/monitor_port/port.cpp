@@ -3,6 +3,7 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 namespace xr3 {
@@ -70,6 +71,7 @@ std::size_t MonitorPort::most_held() const {
 }
 
 void MonitorPort::close_greediest() {
+  assert(most_held() > 0);
   const auto connection = greediest();
   spdlog::warn(
       "monitor: the connection of {} is closed: the server needs more memory than --max-memory, "

@@ -12,8 +12,8 @@
 #include <utility>
 
 #include "server/http/wire.hpp"
-#include "server/monitor_port/session.hpp"
 #include "server/net/acknowledge.hpp"
+#include "server/service/open_session.hpp"
 
 namespace xr3 {
 namespace {
@@ -110,6 +110,7 @@ class BeastWebsocket final : public Websocket, private MessageSink {
   std::size_t held_bytes() const override;
   void wake() override { progress_.cancel(); }
   void retire() override {
+    assert(!socket_->is_open());
     session_.reset();
     watch_.cancel();
   }
@@ -136,10 +137,10 @@ class BeastWebsocket final : public Websocket, private MessageSink {
   std::optional<std::string> cell_;
   WebsocketPatience patience_;
   ws::stream<Wire> stream_;
-  std::unique_ptr<MonitorSession> session_;  ///< after the handshake
-  beast::flat_buffer received_;              ///< bounded by the maximum message size
-  monitor::Message message_;                 ///< being written
-  asio::steady_timer progress_;  ///< never expires; cancelled to resume waiting coroutines
+  std::unique_ptr<OpenSession> session_;  ///< after the handshake
+  beast::flat_buffer received_;           ///< bounded by the maximum message size
+  monitor::Message message_;              ///< being written
+  asio::steady_timer progress_;           ///< never expires; cancelled to resume waiting coroutines
   asio::steady_timer watch_;
   Clock::time_point last_received_;  ///< when the client last sent anything
   bool is_reading_ = false;
@@ -167,9 +168,10 @@ BeastWebsocket::BeastWebsocket(std::shared_ptr<MonitorSocket> socket, MonitorSer
 // --- The handshake.
 
 asio::awaitable<void> BeastWebsocket::run(std::string head) {
+  assert(http::read_head(head).fault == http::HeadFault::kNone);
   const bool accepted = co_await accept(head);
   if (accepted) {
-    session_ = std::make_unique<MonitorSession>(service_, static_cast<MessageSink&>(*this), cell_);
+    session_ = std::make_unique<OpenSession>(service_, static_cast<MessageSink&>(*this), cell_);
     last_received_ = Clock::now();
     watch();
     pump();

@@ -7,16 +7,16 @@
 #include <optional>
 #include <string>
 
-#include "server/monitor_port/service.hpp"
 #include "server/net/asio.hpp"
 #include "server/net/socket.hpp"
+#include "server/service/service.hpp"
 
 namespace xr3 {
 
 /// Time limits for silent or stuck clients.
 struct WebsocketPatience {
-  std::chrono::milliseconds before_ping{15'000};   ///< of silence
-  std::chrono::milliseconds before_close{30'000};  ///< of silence, or without accepting a byte
+  std::chrono::milliseconds before_ping{15'000};   ///< silence after which a ping is sent
+  std::chrono::milliseconds before_close{30'000};  ///< silence, or time without an accepted byte
 };
 
 class Websocket : public std::enable_shared_from_this<Websocket> {
@@ -41,7 +41,7 @@ class Websocket : public std::enable_shared_from_this<Websocket> {
   /// Resumes waiting coroutines after the connection was lost.
   virtual void wake() = 0;
 
-  /// Destroys the monitor session. Precondition: run() has finished.
+  /// Destroys the monitor session. Precondition: the connection is closed.
   virtual void retire() = 0;
 };
 

@@ -9,10 +9,10 @@
 #include "cell/cell.hpp"
 #include "server/http/answer.hpp"
 #include "server/http/body.hpp"
-#include "server/monitor_port/access.hpp"
-#include "server/monitor_port/service.hpp"
 #include "server/net/asio.hpp"
 #include "server/net/wall_clock.hpp"
+#include "server/service/service.hpp"
+#include "server/session/access.hpp"
 
 namespace xr3 {
 

@@ -23,8 +23,8 @@ open lines | server/net/socket_limits.hpp | lines
 open lines | cli/options/serve.cpp | kMaxLines
 cells | server/options/options.hpp | max_cells
 cells | cli/options/serve.cpp | kMaxCells
-subscriptions of a monitor client, and lines of its own by `send` | server/monitor_port/channels.hpp | kMaxSubscriptions
-subscriptions of a monitor client, and lines of its own by `send` | server/monitor_port/calls.hpp | kMaxOwnLines
+subscriptions of a monitor client, and lines of its own by `send` | server/service/channels.hpp | kMaxSubscriptions
+subscriptions of a monitor client, and lines of its own by `send` | server/service/calls.hpp | kMaxOwnLines
 branches of a cell, and lines of each | server/cells/branch_cells.hpp | kMostPerOrigin
 branches of a cell, and lines of each | server/net/socket_limits.hpp | kLinesPerBranch
 memory of the process | server/options/options.hpp | max_memory_mib
@@ -40,7 +40,7 @@ bytes of all lines of a robot that are due in one advance of real time | cell/ce
 bytes of all lines of a robot that are due in one millisecond of the real clock | cell/cell.hpp | kMaxTickBytes
 time before an inquiry (`--clock bytes`) | protocol/line/byte_clock_settings.hpp | kMaxInquiryMs | 1000
 a run to rest (`--clock bytes`) | cell/cell.hpp | kMaxSleep
-a `send` (`--clock bytes`) | server/monitor_port/line_calls.cpp | kMaxSendTime | 1000000000
+a `send` (`--clock bytes`) | server/service/line_calls.cpp | kMaxSendTime | 1000000000
 commands of a line that wait for the physical controller | cell/device_link.hpp | kMaxWaiting
 warnings in the log, per line and simulated second | cell/warning_limiter.hpp | kMaxNotesPerSecond
 monitor connections | server/net/socket_limits.hpp | connections
@@ -78,9 +78,9 @@ the same in recordings and snapshots, which may be of earlier versions | protoco
 the same in recordings and snapshots, which may be of earlier versions | core/camera.hpp | kMaxCameraRows
 a data file | server/files/data_files.cpp | kLargestFile | 1048576
 a data file | server/files/data_files.cpp | kMaxWaitMs | 1000
-wrong tokens of a connection | server/monitor_port/sessions.cpp | kMaxWrongTokens
-wrong tokens of a connection | server/monitor_port/wrong_tokens.hpp | kWrongTokenDelay
-wrong tokens of all connections | server/monitor_port/wrong_tokens.hpp | kWrongTokensPerSecond
+wrong tokens of a connection | server/service/sessions.cpp | kMaxWrongTokens
+wrong tokens of a connection | server/service/wrong_tokens.hpp | kWrongTokenDelay
+wrong tokens of all connections | server/service/wrong_tokens.hpp | kWrongTokensPerSecond
 a token | server/options/token.hpp | kMinTokenBytes
 a token | server/options/token.hpp | kMaxTokenBytes
 log | server/log_budget.hpp | kMaxLogBurst | 1024

@@ -6,11 +6,11 @@
 #include <string>
 #include <string_view>
 
-#include "server/monitor_port/access.hpp"
 #include "server/monitor_port/connection.hpp"
-#include "server/monitor_port/service.hpp"
 #include "server/net/asio.hpp"
 #include "server/resources/resources.hpp"
+#include "server/service/service.hpp"
+#include "server/session/access.hpp"
 #include "tests/fuzz/common/pieces.hpp"
 #include "tests/support/cell_host.hpp"
 

@@ -1,4 +1,4 @@
-#include "server/monitor_port/calls.hpp"
+#include "server/service/calls.hpp"
 
 #include <chrono>
 #include <nlohmann/json.hpp>
@@ -46,7 +46,7 @@ Json value_with_faults(const Cell& cell) {
   return value;
 }
 
-/// The name under which a snapshot is saved or loaded; empty: inline.
+/// The name under which a snapshot is saved or loaded; empty if it is inline.
 std::string snapshot_name(const call::Call& call) {
   const auto* save = std::get_if<call::SaveSnapshot>(&call);
   return save != nullptr ? save->name : std::get<call::LoadSnapshot>(call).name;

@@ -12,9 +12,9 @@
 
 #include "cell/cell.hpp"
 #include "cell/frames.hpp"
-#include "server/monitor_port/session.hpp"
 #include "server/net/asio.hpp"
 #include "server/net/wall_clock.hpp"
+#include "server/session/session.hpp"
 
 namespace xr3 {
 
@@ -32,7 +32,7 @@ class SubscriberHub {
   /// Removes all sessions.
   ~SubscriberHub();
 
-  /// The session follows a channel of the cell from now on. No effect if it did before.
+  /// Adds a session that follows a channel of the cell. No effect if it is there.
   void add(MonitorSession& session);
   /// No effect unless it was added.
   void remove(MonitorSession& session);
@@ -43,7 +43,8 @@ class SubscriberHub {
 
   /// The current point of the grid.
   static monitor::FrameNumber wall_frame();
-  /// The same; during a round, the point of the round.
+  /// The point of the grid at which frames are made: during a round that of the round, else the
+  /// current one.
   monitor::FrameNumber now() const { return is_serving_ ? frame_ : wall_frame(); }
 
   const std::vector<MonitorSession*>& sessions() const { return sessions_; }
@@ -78,7 +79,7 @@ class SubscriberHub {
   bool is_settled_ = true;           ///< no session of this round waits for a later frame
   monitor::FrameNumber due_ = 0;     ///< the earliest due frame of this round's sessions
   std::size_t next_ = 0;             ///< index of the round's next session
-  monitor::FrameNumber frame_ = -1;  ///< of the last round
+  monitor::FrameNumber frame_ = -1;  ///< point of the last round
 };
 
 }  // namespace xr3

@@ -1,4 +1,4 @@
-#include "server/monitor_port/past_calls.hpp"
+#include "server/service/past_calls.hpp"
 
 #include <algorithm>
 #include <deque>

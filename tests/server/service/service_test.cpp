@@ -1,6 +1,6 @@
 // The monitor service in memory: requests, subscriptions and calls of sessions without a
 // connection, and their output. The clock is manual except where a test says otherwise.
-#include "server/monitor_port/service.hpp"
+#include "server/service/service.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "server/net/wall_clock.hpp"
+#include "server/service/open_session.hpp"
 #include "tests/support/cell_host.hpp"
 #include "tests/support/models.hpp"
 
@@ -37,23 +38,23 @@ class MonitorServiceTest : public testing::Test {
   explicit MonitorServiceTest(AccessPolicy policy = {}) : policy_(std::move(policy)) {}
 
   /// Passes a message to the session; returns all output.
-  std::vector<Json> ask(MonitorSession& session, const std::string& message) {
+  std::vector<Json> ask(OpenSession& session, const std::string& message) {
     begin(session, message);
     io_.restart();
     io_.poll();
     return read(session);
   }
   /// Expects exactly one message as the answer and returns it.
-  Json answer(MonitorSession& session, const std::string& message) {
+  Json answer(OpenSession& session, const std::string& message) {
     const std::vector<Json> answers = ask(session, message);
     EXPECT_EQ(answers.size(), 1U) << message;
     return answers.empty() ? Json() : answers.front();
   }
-  Json call(MonitorSession& session, const std::string& fn, const std::string& args = "{}") {
+  Json call(OpenSession& session, const std::string& fn, const std::string& args = "{}") {
     return answer(session, R"({"op":"call","id":1,"fn":")" + fn + R"(","args":)" + args + "}");
   }
   /// Passes a message to the session, and does not wait for its answer.
-  void begin(MonitorSession& session, const std::string& message) {
+  void begin(OpenSession& session, const std::string& message) {
     asio::co_spawn(
         io_, [&session, message] { return session.handle(message); }, asio::detached);
   }
@@ -86,7 +87,7 @@ class MonitorServiceTest : public testing::Test {
   AccessPolicy policy_;
   MonitorService service_{io_, host_.cells, host_.worker, policy_};
   NullSink sink_;
-  MonitorSession one_{service_, sink_};
+  OpenSession one_{service_, sink_};
   LineId line_ = 0;
 };
 
@@ -226,7 +227,7 @@ TEST_F(MonitorServiceTest, ASessionHasAFewLinesAndSubscriptions) {
 
 TEST_F(MonitorServiceTest, WithoutACellOnlyTheServerAnswers) {
   host_.cells.remove(hosted_);
-  MonitorSession other(service_, sink_);
+  OpenSession other(service_, sink_);
   const std::vector<Json> hello = read(other);
   EXPECT_TRUE(hello.at(0)["cell"].is_null());
   EXPECT_TRUE(hello.at(0)["robot"].is_null());
@@ -291,7 +292,7 @@ TEST_F(MonitorServiceTest, AtRestTheLoopIsIdle) {
 }
 
 TEST_F(MonitorServiceTest, TheSameSeqHasTheSameBytes) {
-  MonitorSession other(service_, sink_);
+  OpenSession other(service_, sink_);
   read(one_);
   read(other);
   const std::string sub = R"({"op":"sub","channel":"model"})";
@@ -323,7 +324,7 @@ TEST_F(MonitorServiceTest, EventsAreInOrderWithTheirTicks) {
 
 TEST_F(MonitorServiceTest, SendOpensALineThatClosesWithTheSession) {
   {
-    MonitorSession other(service_, sink_);
+    OpenSession other(service_, sink_);
     read(other);
     const Json value = call(other, "send", R"({"text":"E+5\rE?"})")["value"];
     EXPECT_EQ(value["hex"], "25");
@@ -336,7 +337,7 @@ TEST_F(MonitorServiceTest, SendOpensALineThatClosesWithTheSession) {
 
 TEST_F(MonitorServiceTest, ACallDoesNotWaitForAHistory) {
   hosted_.keep_history(kTickHz);
-  MonitorSession other{service_, sink_};
+  OpenSession other{service_, sink_};
   for (int i = 0; i < 300; ++i) cell_.apply(LineOpened{"test"}, wall_now());  // an event each
   read(one_);
   read(other);

@@ -1,10 +1,10 @@
-#include "server/monitor_port/server_calls.hpp"
+#include "server/service/server_calls.hpp"
 
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "protocol/monitor/call_table.hpp"
-#include "server/monitor_port/sessions.hpp"
+#include "server/service/sessions.hpp"
 
 namespace xr3 {
 

@@ -1,49 +1,49 @@
-// One client of the monitor, independent of its transport (JSON lines or WebSocket): requests in,
-// messages out. The destructor closes the line that the session has opened.
+// One client of the monitor, independent of its transport (JSON lines or WebSocket): its access,
+// its subscriptions, its own lines, and its queue of messages.
+//
+// The flow through the folder: a transport of server/monitor_port is the MessageSink
+// (message_sink.hpp) of a session. AccessPolicy (access.hpp) holds the token of the server, by
+// which a session gets its access; a session may also control single cells. Answers go to the
+// session's monitor::Client (protocol/monitor), a bounded queue. Each cell has a SubscriberHub
+// (subscribers.hpp) with the sessions that follow it: after a change the hub offers each of them
+// the current frame, and a client that reads slower than frames are made gets only the last one.
+// wake() notifies the transport, which then takes one message after the other by next_output().
+// Requests are carried out in server/service, above the cells, which need only this folder.
 #pragma once
 
 #include <map>
 #include <optional>
 #include <set>
 #include <string>
-#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "cell/serial_line.hpp"
 #include "protocol/monitor/client.hpp"
-#include "server/monitor_port/message_sink.hpp"
 #include "server/net/asio.hpp"
+#include "server/session/message_sink.hpp"
 
 namespace xr3 {
 
-class HostedCell;
-class MonitorService;
 class SubscriberHub;
 
 using monitor::Access;
 
 class MonitorSession {
  public:
-  /// Sends `hello`. Service and sink must outlive the session; the sink is notified of output.
-  /// `chosen`: the cell of requests that name none; nullopt: the first that the session may see.
-  MonitorSession(MonitorService& service, MessageSink& sink,
-                 std::optional<std::string> chosen = std::nullopt);
+  /// The sink must outlive the session; it is notified of output. `chosen`: the cell of requests
+  /// that name none; nullopt for the first that the session may see.
+  MonitorSession(MessageSink& sink, Access access, std::optional<std::string> chosen)
+      : sink_(sink), access_(access), chosen_cell_(std::move(chosen)) {}
   MonitorSession(const MonitorSession&) = delete;
   MonitorSession& operator=(const MonitorSession&) = delete;
-  ~MonitorSession();  // NOLINT(bugprone-exception-escape): as in the definition
 
-  /// Carries out one message and queues the answer. Preconditions: the previous call has finished,
-  /// and the client's queue is not full.
-  asio::awaitable<void> handle(std::string_view message);
-
-  /// The next message to send, or nullptr.
+  /// The next message to send; nullptr if there is none.
   monitor::Message next_output();
 
   /// Queues `bye`.
   void end(monitor::CloseReason why);
   void end(monitor::LineFault fault);
-
-  // --- For the service, the subscribers and the transports.
 
   monitor::Client& client() { return client_; }
   const monitor::Client& client() const { return client_; }
@@ -61,11 +61,11 @@ class MonitorSession {
   Access highest_access() const { return granted_.empty() ? access_ : Access::kControl; }
 
   const std::optional<std::string>& chosen_cell() const { return chosen_cell_; }
-  /// The cell of requests that name none, as in the last `hello`; nullopt: none.
+  /// The cell of requests that name none, as in the last `hello`; nullopt if there is none.
   const std::optional<std::string>& own_cell() const { return own_cell_; }
   void set_own_cell(std::optional<std::string> cell) { own_cell_ = std::move(cell); }
 
-  /// Notes that the session is in a hub. Returns false if it was before.
+  /// Adds a hub to those that follow the session. Returns false if it was there before.
   bool join(SubscriberHub& hub);
   void leave(SubscriberHub& hub);
   const std::vector<SubscriberHub*>& hubs() const { return hubs_; }
@@ -76,8 +76,10 @@ class MonitorSession {
   /// The lines opened by its first `send` to each cell.
   std::map<std::string, LineId>& own_lines() { return own_lines_; }
 
+ protected:
+  ~MonitorSession() = default;
+
  private:
-  MonitorService& service_;
   monitor::Client client_;
   MessageSink& sink_;
   Access access_;
@@ -85,7 +87,7 @@ class MonitorSession {
   std::set<std::string> granted_;
   std::optional<std::string> chosen_cell_;
   std::optional<std::string> own_cell_;
-  std::vector<SubscriberHub*> hubs_;  ///< of the cells that it follows
+  std::vector<SubscriberHub*> hubs_;  ///< hubs of the cells that it follows
   std::map<std::string, LineId> own_lines_;
 };
 

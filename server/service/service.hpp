@@ -1,7 +1,15 @@
 // Carries out the requests of monitor sessions on the cells, and queues the answers. All sessions
-// share one service, which is independent of their transport (JSON lines or WebSocket). A request
-// goes by its type to `MonitorSessions` (tokens), `MonitorChannels` (`sub`, `unsub`, `get`),
-// `ServerCalls`, `PastCalls` or `MonitorCalls`; each has a function for each type.
+// share one service, which is independent of their transport (JSON lines or WebSocket).
+//
+// The flow through the folder: a transport gives a message to its OpenSession (open_session.hpp).
+// The service refuses it if the session lacks the access, parses it (a long one in the worker), and
+// finds its cell. The request then goes by its type, once, to the object that has a function for
+// that type: MonitorSessions (sessions.hpp) for tokens, MonitorChannels (channels.hpp) for `sub`,
+// `unsub` and `get`, ServerCalls (server_calls.hpp) for calls on the server, PastCalls
+// (past_calls.hpp) for those on a cell's past, and MonitorCalls (calls.hpp, line_calls.cpp) for the
+// others: these apply an input to the cell and describe the result. The Overview (overview.hpp)
+// shows all cells to its subscribers, a few rounds a second. After each input of a cell acted()
+// tells the overview; frames of one cell go by its SubscriberHub in server/session.
 #pragma once
 
 #include <functional>
@@ -10,18 +18,18 @@
 
 #include "cell/counters.hpp"
 #include "server/cells/registry.hpp"
-#include "server/monitor_port/access.hpp"
-#include "server/monitor_port/calls.hpp"
-#include "server/monitor_port/channels.hpp"
-#include "server/monitor_port/overview.hpp"
-#include "server/monitor_port/past_calls.hpp"
-#include "server/monitor_port/server_calls.hpp"
-#include "server/monitor_port/session.hpp"
-#include "server/monitor_port/sessions.hpp"
 #include "server/net/asio.hpp"
 #include "server/net/loop_lag.hpp"
 #include "server/net/memory_limit.hpp"
 #include "server/net/worker.hpp"
+#include "server/service/calls.hpp"
+#include "server/service/channels.hpp"
+#include "server/service/overview.hpp"
+#include "server/service/past_calls.hpp"
+#include "server/service/server_calls.hpp"
+#include "server/service/sessions.hpp"
+#include "server/session/access.hpp"
+#include "server/session/session.hpp"
 
 namespace xr3 {
 

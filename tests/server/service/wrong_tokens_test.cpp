@@ -1,5 +1,5 @@
 // When wrong tokens are answered.
-#include "server/monitor_port/wrong_tokens.hpp"
+#include "server/service/wrong_tokens.hpp"
 
 #include <gtest/gtest.h>
 

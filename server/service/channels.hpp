@@ -5,9 +5,9 @@
 #include <cstddef>
 
 #include "server/cells/hosted_cell.hpp"
-#include "server/monitor_port/overview.hpp"
-#include "server/monitor_port/session.hpp"
 #include "server/net/asio.hpp"
+#include "server/service/overview.hpp"
+#include "server/session/session.hpp"
 
 namespace xr3 {
 

@@ -1,4 +1,4 @@
-#include "server/monitor_port/subscribers.hpp"
+#include "server/session/subscribers.hpp"
 
 #include <algorithm>
 #include <boost/asio/post.hpp>

@@ -10,11 +10,11 @@
 #include "protocol/monitor/heading.hpp"
 #include "protocol/monitor/message.hpp"
 #include "server/cells/registry.hpp"
-#include "server/monitor_port/access.hpp"
-#include "server/monitor_port/overview.hpp"
-#include "server/monitor_port/session.hpp"
-#include "server/monitor_port/wrong_tokens.hpp"
 #include "server/net/asio.hpp"
+#include "server/service/overview.hpp"
+#include "server/service/wrong_tokens.hpp"
+#include "server/session/access.hpp"
+#include "server/session/session.hpp"
 
 namespace xr3 {
 
@@ -26,7 +26,7 @@ class MonitorSessions {
       : io_(io), cells_(cells), overview_(overview), policy_(policy), wrong_tokens_(io) {}
 
   void add(MonitorSession& session) { all_.push_back(&session); }
-  /// Also closes the session's own lines.
+  /// Closes the session's own lines.
   void remove(MonitorSession& session);
 
   Access first_access() const;

@@ -23,8 +23,9 @@ enum class ReadAccess : std::uint8_t { kFree, kWithToken };
 struct AccessRules {
   http::GuardRules guard;
   ReadAccess reading = ReadAccess::kFree;
-  std::string token;               ///< empty: calls require no token
-  std::string metrics_token = {};  ///< of /metrics alone, if reading requires a token; empty: none
+  std::string token;  ///< empty if calls require no token
+  /// Token for /metrics alone, if reading requires a token; empty if there is none.
+  std::string metrics_token = {};
 };
 
 class AccessPolicy {

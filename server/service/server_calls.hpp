@@ -2,9 +2,9 @@
 #pragma once
 
 #include "server/cells/registry.hpp"
-#include "server/monitor_port/calls.hpp"
-#include "server/monitor_port/overview.hpp"
 #include "server/net/asio.hpp"
+#include "server/service/calls.hpp"
+#include "server/service/overview.hpp"
 
 namespace xr3 {
 

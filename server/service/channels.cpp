@@ -1,11 +1,11 @@
-#include "server/monitor_port/channels.hpp"
+#include "server/service/channels.hpp"
 
 #include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "server/monitor_port/calls.hpp"
 #include "server/net/wall_clock.hpp"
+#include "server/service/calls.hpp"
 
 namespace xr3 {
 namespace {

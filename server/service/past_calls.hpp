@@ -8,11 +8,11 @@
 #include <variant>
 #include <vector>
 
-#include "server/monitor_port/calls.hpp"
-#include "server/monitor_port/sessions.hpp"
 #include "server/net/asio.hpp"
 #include "server/net/exclusive.hpp"
 #include "server/net/worker.hpp"
+#include "server/service/calls.hpp"
+#include "server/service/sessions.hpp"
 
 namespace xr3 {
 

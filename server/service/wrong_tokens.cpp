@@ -1,4 +1,4 @@
-#include "server/monitor_port/wrong_tokens.hpp"
+#include "server/service/wrong_tokens.hpp"
 
 #include <spdlog/spdlog.h>
 

@@ -10,9 +10,9 @@
 #include "protocol/monitor/message.hpp"
 #include "protocol/monitor/request_error.hpp"
 #include "server/cells/registry.hpp"
-#include "server/monitor_port/session.hpp"
 #include "server/net/asio.hpp"
 #include "server/net/memory_limit.hpp"
+#include "server/session/session.hpp"
 
 namespace xr3 {
 

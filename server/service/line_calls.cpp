@@ -6,8 +6,8 @@
 #include "cell/cell.hpp"
 #include "protocol/explain/diagnostic.hpp"
 #include "protocol/explain/event_report.hpp"
-#include "server/monitor_port/calls.hpp"
 #include "server/net/wall_clock.hpp"
+#include "server/service/calls.hpp"
 
 namespace xr3 {
 namespace {
@@ -53,7 +53,7 @@ Json device_line_json(const DeviceLink& device) {
           {"last", readable(device.last())},    {"serial", text_of(device.settings())}};
 }
 
-/// The open line that the session has at the cell; nullopt: none.
+/// The open line that the session has at the cell; nullopt if it has none.
 std::optional<LineId> open_own_line(const CallOf& of) {
   const std::map<std::string, LineId>& lines = of.session.own_lines();
   const auto known = lines.find(of.at->name());

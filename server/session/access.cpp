@@ -1,4 +1,4 @@
-#include "server/monitor_port/access.hpp"
+#include "server/session/access.hpp"
 
 #include <nettle/memops.h>
 #include <nettle/sha2.h>

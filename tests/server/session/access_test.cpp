@@ -1,5 +1,5 @@
 // Access rules with and without a token.
-#include "server/monitor_port/access.hpp"
+#include "server/session/access.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "server/monitor_port/service.hpp"
+#include "server/service/service.hpp"
 
 #include <variant>
 #include <vector>

@@ -13,13 +13,13 @@
 
 #include "protocol/monitor/overview.hpp"
 #include "server/cells/registry.hpp"
-#include "server/monitor_port/session.hpp"
 #include "server/net/asio.hpp"
 #include "server/net/wall_clock.hpp"
+#include "server/session/session.hpp"
 
 namespace xr3 {
 
-/// What the overview shows of a cell now; advances the cell.
+/// The summary of a cell now, to which it advances the cell.
 monitor::CellSummary summary_of(HostedCell& at);
 
 class Overview {
@@ -31,14 +31,14 @@ class Overview {
   Overview(const Overview&) = delete;
   Overview& operator=(const Overview&) = delete;
 
-  /// The session is subscribed from now on; its first message shows all cells that it may see.
+  /// Subscribes the session; its first message shows all cells that it may see.
   void add(MonitorSession& session);
   /// No effect unless it was added.
   void remove(MonitorSession& session);
   /// The session may see more cells than before: if it is subscribed, its next message shows all.
   void restart(MonitorSession& session);
 
-  /// An input of the cell has acted, or it is new.
+  /// To be called after an input of the cell, and for a new one.
   void acted(HostedCell& cell);
   /// The cell closes.
   void forget(const HostedCell& cell);
@@ -72,7 +72,7 @@ class Overview {
   asio::io_context& io_;
   CellRegistry& cells_;
   std::function<void()> between_;
-  asio::steady_timer timer_;  ///< of the next round; cancelled to look at once
+  asio::steady_timer timer_;  ///< until the next round; cancelled to begin it at once
   std::vector<MonitorSession*> sessions_;
   std::size_t next_ = 0;  ///< index of the session to be served next
   Cells changed_;         ///< to be looked at in the next round

@@ -1,12 +1,12 @@
-#include "server/monitor_port/sessions.hpp"
+#include "server/service/sessions.hpp"
 
 #include <algorithm>
 #include <boost/asio/post.hpp>
 #include <nlohmann/json.hpp>
 
 #include "cell/failure.hpp"
-#include "server/monitor_port/calls.hpp"
 #include "server/net/wall_clock.hpp"
+#include "server/service/calls.hpp"
 
 namespace xr3 {
 namespace {

@@ -1,4 +1,4 @@
-#include "server/monitor_port/overview.hpp"
+#include "server/service/overview.hpp"
 
 #include <algorithm>
 #include <boost/asio/post.hpp>
@@ -182,8 +182,8 @@ monitor::Message Overview::message_for(const MonitorSession& session, std::int64
   return shared;
 }
 
-/// The changes after a version. `only_granted_of`: only the cells whose tokens this session gave;
-/// null: all.
+/// The changes after a version. `only_granted_of`: a session to whose granted cells they are
+/// limited; nullptr if they are not limited.
 monitor::Message Overview::make(std::int64_t since, const MonitorSession* only_granted_of) const {
   const bool is_whole = since == 0 || since < forgotten_;
   const auto is_visible = [&](const std::string& name) {
