@@ -108,7 +108,7 @@ void Cell::compare_mirror(const Command& inquiry, std::uint8_t reply) {
   const int index = model().index_of(error->label);
   if (index < 0) return;
   const int simulated = std::abs(static_cast<int>(state().motor(index).error));
-  const Mirror::Reading reading{reply - ' ', simulated};
+  const Mirror::JointReading reading{reply - ' ', simulated};
   if (!mirror_->differs(error->label, reading, state().tick)) return;
   DeviceNote note;
   note.why = std::string(1, error->label) + " has " + std::to_string(reading.device) +

@@ -67,12 +67,12 @@ void DeviceLink::add(LineId line, const Command& command, Tick now) {
 }
 
 /// The next command of the line that follows the one served last.
-DeviceLink::Waiting DeviceLink::take_next() {
+DeviceLink::QueuedCommand DeviceLink::take_next() {
   auto found = queues_.upper_bound(last_served_);
   if (found == queues_.end()) found = queues_.begin();
   auto& [line, queue] = *found;
   last_served_ = line;
-  Waiting next = std::move(queue.commands.front());
+  QueuedCommand next = std::move(queue.commands.front());
   queue.commands.pop_front();
   const bool was_full = queue.bytes >= kMaxWaiting;
   queue.bytes -= next.encoded.bytes.size();
@@ -85,9 +85,9 @@ DeviceLink::Waiting DeviceLink::take_next() {
 // line.
 void DeviceLink::send_next(Tick now) {
   while (!asked_ && !queues_.empty() && outbox_.size() < kFullOutbox) {
-    const Waiting next = take_next();
+    const QueuedCommand next = take_next();
     send(next.encoded.bytes, now);
-    if (next.encoded.is_inquiry) asked_ = Asked{next.line, next.command};
+    if (next.encoded.is_inquiry) asked_ = PendingInquiry{next.line, next.command};
   }
 }
 
@@ -99,7 +99,7 @@ void DeviceLink::send(std::string_view bytes, Tick now) {
   last_ = bytes;
 }
 
-std::optional<DeviceLink::Asked> DeviceLink::receive(Tick now) {
+std::optional<DeviceLink::PendingInquiry> DeviceLink::receive(Tick now) {
   ++bytes_in_;
   const auto answered = std::exchange(asked_, std::nullopt);
   if (answered) send_next(now);
@@ -111,7 +111,7 @@ std::optional<Tick> DeviceLink::deadline() const {
   return first_tick_after(busy_until_us_) + kPatience;
 }
 
-std::optional<DeviceLink::Asked> DeviceLink::expire(Tick now) {
+std::optional<DeviceLink::PendingInquiry> DeviceLink::expire(Tick now) {
   const auto limit = deadline();
   if (!limit || now < *limit) return std::nullopt;
   const auto silent = std::exchange(asked_, std::nullopt);
@@ -133,7 +133,7 @@ void DeviceLink::forget(LineId line) {
   if (asked_ && asked_->line == line) asked_->line.reset();
   const auto found = queues_.find(line);
   if (found == queues_.end()) return;
-  for (Waiting& each : found->second.commands) each.line.reset();
+  for (QueuedCommand& each : found->second.commands) each.line.reset();
 }
 
 void DeviceLink::sent(std::size_t count, Tick now) {
@@ -149,7 +149,7 @@ void DeviceLink::write_state(StateWriter& out) const {
   if (asked_) out.add(asked_->line, for_device(asked_->command)->bytes);
   for (const auto& [line, queue] : queues_) {
     out.add(line, queue.commands.size());
-    for (const Waiting& each : queue.commands) out.add(each.line, each.encoded.bytes);
+    for (const QueuedCommand& each : queue.commands) out.add(each.line, each.encoded.bytes);
   }
 }
 

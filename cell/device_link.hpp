@@ -34,7 +34,7 @@ class DeviceLink {
   static constexpr std::size_t kMaxHeld = 4096 + kFullOutbox;
 
   /// An inquiry of a line: nullopt for the line if it has closed meanwhile.
-  struct Asked {
+  struct PendingInquiry {
     std::optional<LineId> line;
     Command command;
   };
@@ -74,9 +74,9 @@ class DeviceLink {
   void add(LineId line, const Command& command, Tick now);
 
   /// Handles a byte from the device: the inquiry that it answers, or nullopt if nobody asked.
-  std::optional<Asked> receive(Tick now);
+  std::optional<PendingInquiry> receive(Tick now);
   /// The inquiry that waited too long for its answer, which is forgotten.
-  std::optional<Asked> expire(Tick now);
+  std::optional<PendingInquiry> expire(Tick now);
   /// When expire() must be called; nullopt: no inquiry waits.
   std::optional<Tick> deadline() const;
 
@@ -100,20 +100,20 @@ class DeviceLink {
   void write_state(StateWriter& out) const;
 
  private:
-  struct Waiting {
+  struct QueuedCommand {
     std::optional<LineId> line;
     Command command;
     DeviceCommand encoded;
   };
   /// The commands of one line.
   struct Queue {
-    std::deque<Waiting> commands;
+    std::deque<QueuedCommand> commands;
     std::size_t bytes = 0;  ///< of all of them
   };
 
   void drop();
   void drop_waiting();
-  Waiting take_next();
+  QueuedCommand take_next();
   void send_next(Tick now);
   void send(std::string_view bytes, Tick now);
 
@@ -129,7 +129,7 @@ class DeviceLink {
   std::map<LineId, Queue> queues_;  ///< those that are not empty
   LineId last_served_ = 0;
   std::vector<LineId> woken_;
-  std::optional<Asked> asked_;
+  std::optional<PendingInquiry> asked_;
   std::string outbox_;
   Micros busy_until_us_ = 0;  ///< when the last bit of all bytes so far has left
   std::uint64_t bytes_in_ = 0;

@@ -5,9 +5,9 @@
 
 namespace xr3 {
 
-bool Mirror::differs(char label, const Reading& reading, Tick now) {
+bool Mirror::differs(char label, const JointReading& reading, Tick now) {
   assert(label >= 'A' && label <= 'H');
-  Joint& joint = joints_[static_cast<std::size_t>(label - 'A')];
+  MirroredJoint& joint = joints_[static_cast<std::size_t>(label - 'A')];
   if (joint.last != reading) {
     joint.last = reading;
     joint.since = now;

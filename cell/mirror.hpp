@@ -17,15 +17,15 @@ class Mirror {
   static constexpr Tick kStill = 500;
 
   /// What `a?` tells of a joint, in counts.
-  struct Reading {
+  struct JointReading {
     int device = 0;
     int simulation = 0;
-    bool operator==(const Reading&) const = default;
+    bool operator==(const JointReading&) const = default;
   };
 
   /// Notes a reading of the joint with this label, 'A' to 'H'. Returns whether it is a difference
   /// that was not reported yet.
-  bool differs(char label, const Reading& reading, Tick now);
+  bool differs(char label, const JointReading& reading, Tick now);
 
   /// The simulation has stalled or reached a limit: it no longer shows where the arm is. Returns
   /// whether that is news.
@@ -34,13 +34,13 @@ class Mirror {
   void align() { *this = {}; }
 
  private:
-  struct Joint {
-    std::optional<Reading> last;
+  struct MirroredJoint {
+    std::optional<JointReading> last;
     Tick since = 0;  ///< last is unchanged
     bool is_reported = false;
   };
 
-  std::array<Joint, 8> joints_;
+  std::array<MirroredJoint, 8> joints_;
   bool is_lost_ = false;
 };
 

@@ -52,16 +52,6 @@ PRINTERS = {"server/print.cpp", "cli/term/console.cpp", "cli/term/pipe.cpp"}
 TYPE = re.compile(r"^\s*(?:template\s*<[^>]*>\s*)?(?:struct|class|enum(?: class)?) ([A-Z]\w*)(?: final)?\s*(?::(?!:)[^;{]*)?\{"
                   r"|^(?:template\s*<[^>]*>\s*)?using ([A-Z]\w*) =", re.MULTILINE)
 
-# To be emptied. Names that several types have, and how many have each. An entry that is no longer right is a breach, so
-# that the list only shrinks.
-SHARED_TYPE_NAMES_TODAY = {
-    "Asked": 2, "Bytes": 2, "Clock": 3, "Column": 2, "Command": 2, "Device": 2, "End": 2, "Entry": 3,
-    "Fault": 2, "Form": 2, "Health": 2, "Joint": 2, "KeyReader": 2, "Kind": 6, "Letters": 2, "Limits": 2,
-    "Member": 3, "Mode": 4, "Options": 2, "Outcome": 4, "Page": 2, "Place": 2, "Problem": 2,
-    "Read": 2, "Reading": 3, "Replies": 2, "Row": 2, "Rows": 2, "Run": 2, "Span": 3, "Stage": 2,
-    "State": 2, "Terminal": 2, "Waiting": 2, "Wire": 2, "Words": 2,
-}
-
 CONSTANT = re.compile(r"^(?:inline )?(?:constexpr|const)\b[^()=;{]*?\b(k[A-Z]\w*)(?= =|\{|\[)", re.MULTILINE)
 
 NAMED_FILE = re.compile(r"//.*?\b([\w/]+\.[ch]pp)\b")
@@ -158,15 +148,9 @@ def shared_type_names(texts):
         for match in TYPE.finditer(text) if is_source(path) else ():
             line = text.count("\n", 0, match.end()) + 1
             places.setdefault(match[1] or match[2], []).append(f"{path}:{line}")
-    shared = {name: where for name, where in places.items() if len(where) > 1}
-    for name in sorted(shared.keys() | SHARED_TYPE_NAMES_TODAY.keys()):
-        where, allowed = shared.get(name, []), SHARED_TYPE_NAMES_TODAY.get(name, 0)
-        if len(where) > allowed:
+    for name, where in sorted(places.items()):
+        if len(where) > 1:
             yield f"{len(where)} types have the name {name}: {', '.join(where)}"
-        elif len(where) < allowed:
-            yield (f"tests/arrows.py: SHARED_TYPE_NAMES_TODAY has \"{name}\": {allowed}; "
-                   + (f"there are {len(where)}" if where else "remove it"))
-    print(f"{len(shared)} names that several types have, {sum(map(len, shared.values()))} types")
 
 
 def folder_arrows(texts):

@@ -129,8 +129,8 @@ void History::end(const Cell& cell, const Input& input, const Applied& applied) 
   const auto* rewind = std::get_if<Rewind>(&input);
   if (const auto* in = std::get_if<BytesIn>(&input)) {
     if (const auto read = read_of(cell, *in, applied))
-      add(InputTape::Read{read->at.epoch, read->at.tick, read->at.us, in->line, read->bytes,
-                          read->taken, read->unsent});
+      add(InputTape::TapeInput{read->at.epoch, read->at.tick, read->at.us, in->line, read->bytes,
+                               read->taken, read->unsent});
   } else if (rewind == nullptr) {
     Recorder::end(cell, input, applied);
   }
@@ -143,7 +143,7 @@ void History::end(const Cell& cell, const Input& input, const Applied& applied) 
 
 template <class Entry>
 void History::add(Entry&& entry) {
-  if (parts_.empty()) return;  // memory is short
+  if (parts_.empty()) return;              // memory is short
   assert(parts_.back().use_count() == 1);  // part_before() gives a copy of the last part
   InputTape& inputs = parts_.back()->inputs;
   used_ -= inputs.bytes();

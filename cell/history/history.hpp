@@ -35,7 +35,7 @@ struct EpochSpan {
   Tick to = 0;
 };
 
-class History final : private Recorder, private monitor::ByteBudget::Member {
+class History final : private Recorder, private monitor::ByteBudget::Account {
  public:
   /// A checkpoint is taken after so much motion, so many inputs or bytes of inputs.
   static constexpr Tick kMovedTicks = 10 * kTickHz;

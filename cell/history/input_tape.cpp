@@ -112,11 +112,11 @@ void InputTape::add(recording::Entry&& entry) {
   if (size_++ == 0) epoch_ = entry.epoch;
   const auto* input = std::get_if<LineInput>(&entry.body);
   if (input == nullptr || !is_short(entry.epoch, entry.tick)) return put(std::move(entry));
-  put(Read{entry.epoch, entry.tick, entry.us, input->line, input->bytes, input->taken,
-           input->unsent});
+  put(TapeInput{entry.epoch, entry.tick, entry.us, input->line, input->bytes, input->taken,
+                input->unsent});
 }
 
-void InputTape::add(const Read& read) {
+void InputTape::add(const TapeInput& read) {
   if (size_++ == 0) epoch_ = read.epoch;
   if (is_short(read.epoch, read.tick)) return put(read);
   put(Entry{read.epoch, read.tick, read.us,
@@ -129,7 +129,7 @@ void InputTape::put(recording::Entry&& entry) {
   others_.push_back(std::move(entry));
 }
 
-void InputTape::put(const Read& read) {
+void InputTape::put(const TapeInput& read) {
   assert(read.taken <= read.bytes.size());
   const std::uint64_t passed = static_cast<std::uint64_t>(read.tick - tick_);
   tick_ = read.tick;

@@ -15,7 +15,7 @@ namespace xr3 {
 class InputTape {
  public:
   /// An input of a line, as a recording::LineInput with its time.
-  struct Read {
+  struct TapeInput {
     Epoch epoch = 0;
     Tick tick = 0;
     int us = 0;
@@ -29,7 +29,7 @@ class InputTape {
   /// entry added last.
   void add(recording::Entry&& entry);
   /// The same for the frequent entries, without making one.
-  void add(const Read& read);
+  void add(const TapeInput& read);
 
   /// Calls `use` for each entry, in order, until it returns false.
   void for_each(const std::function<bool(const recording::Entry&)>& use) const;
@@ -44,7 +44,7 @@ class InputTape {
  private:
   struct Reader;
   bool is_short(Epoch epoch, Tick tick) const { return epoch == epoch_ && tick >= tick_; }
-  void put(const Read& read);
+  void put(const TapeInput& read);
   void put(recording::Entry&& entry);
   void write(std::string_view head, std::string_view bytes);
 

@@ -93,13 +93,13 @@ void Recorder::end(const Cell& cell, const Input& input, const Applied& applied)
 }
 
 /// The first bytes may have been refused.
-std::optional<Recorder::Read> Recorder::read_of(const Cell& cell, const BytesIn& in,
-                                                const Applied& applied) const {
+std::optional<Recorder::TakenBytes> Recorder::read_of(const Cell& cell, const BytesIn& in,
+                                                      const Applied& applied) const {
   if (!is_open_) return std::nullopt;
   const bool is_refused = cell.find_line(in.line)->is_not_a_robot_program();
   if (applied.bytes_taken == 0 && !is_refused) return std::nullopt;
   const std::string_view bytes = is_first_ ? in.bytes : in.bytes.substr(0, applied.bytes_taken);
-  return Read{input_at_, bytes, applied.bytes_taken, unsent_};
+  return TakenBytes{input_at_, bytes, applied.bytes_taken, unsent_};
 }
 
 /// When a paced line is full, and goes on, depends on what its transport has sent.

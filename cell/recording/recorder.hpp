@@ -52,14 +52,15 @@ class Recorder : public InputLog {
     int us = 0;
   };
   /// The part of an input of bytes that is recorded, without replies. `bytes` refers to the input.
-  struct Read {
+  struct TakenBytes {
     At at;
     std::string_view bytes;
     std::size_t taken = 0;
     std::size_t unsent = 0;
   };
   /// nullopt: nothing of the input is recorded. Precondition: end() of this input.
-  std::optional<Read> read_of(const Cell& cell, const BytesIn& in, const Applied& applied) const;
+  std::optional<TakenBytes> read_of(const Cell& cell, const BytesIn& in,
+                                    const Applied& applied) const;
 
  private:
   struct EntryMaker;

@@ -51,7 +51,7 @@ class Replayer : private InputLog {
 
  private:
   struct Applier;
-  struct Run {
+  struct OutputRun {
     Tick tick;
     std::string bytes;
   };
@@ -87,7 +87,8 @@ class Replayer : private InputLog {
   Tick every_ = 0;  ///< 0: no samples
   std::function<void(const Cell&)> sample_;
   ReplayTime next_sample_;
-  std::map<LineId, std::deque<Run>> replies_;  ///< that no entry has matched yet; none is empty
+  std::map<LineId, std::deque<OutputRun>>
+      replies_;  ///< that no entry has matched yet; none is empty
 };
 
 }  // namespace xr3

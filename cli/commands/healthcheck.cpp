@@ -18,7 +18,6 @@ namespace xr3 {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-using Health = HealthProbe::Health;
 
 /// Maximum time of one attempt.
 constexpr std::chrono::seconds kMaxTry{2};
@@ -27,8 +26,8 @@ constexpr std::chrono::milliseconds kBetweenTries{20};
 
 /// The progress of one attempt.
 struct Visit {
-  enum class Stage : std::uint8_t { kConnecting, kRefused, kTalking };
-  Stage stage = Stage::kConnecting;
+  enum class VisitStage : std::uint8_t { kConnecting, kRefused, kTalking };
+  VisitStage stage = VisitStage::kConnecting;
   std::string refusal;  ///< the system's error message
   HealthProbe probe;
   std::string readiness;  ///< the response of /readyz
@@ -36,16 +35,17 @@ struct Visit {
 
 /// Whether the monitor port has answered as required, so that /readyz decides.
 bool has_answered(const HealthProbe& probe) {
-  return probe.health() == Health::kHealthy || probe.health() == Health::kFull;
+  return probe.health() == HealthProbe::Health::kHealthy ||
+         probe.health() == HealthProbe::Health::kFull;
 }
 
 /// Connects; nullptr if refused.
 asio::awaitable<std::unique_ptr<MonitorSocket>> connect(asio::io_context& context,
                                                         const tcp::endpoint& place, Visit& visit) {
   tcp::socket connecting(context);
-  visit.stage = Visit::Stage::kConnecting;
+  visit.stage = Visit::VisitStage::kConnecting;
   const auto [refused] = co_await connecting.async_connect(place, kAwait);
-  visit.stage = refused ? Visit::Stage::kRefused : Visit::Stage::kTalking;
+  visit.stage = refused ? Visit::VisitStage::kRefused : Visit::VisitStage::kTalking;
   visit.refusal = refused.message();
   if (refused) co_return nullptr;
   ErrorCode ignored;
@@ -56,7 +56,7 @@ asio::awaitable<std::unique_ptr<MonitorSocket>> connect(asio::io_context& contex
 /// Receives `hello` and the answer to a ping.
 asio::awaitable<void> greet(MonitorSocket& socket, HealthProbe& probe) {
   std::string to_send = HealthProbe::opening();
-  while (probe.health() == Health::kUnknown) {
+  while (probe.health() == HealthProbe::Health::kUnknown) {
     const bool is_sent = co_await socket.send(to_send);
     if (!is_sent) break;
     const std::string_view bytes = co_await socket.read();
@@ -91,8 +91,8 @@ asio::awaitable<void> visit(asio::io_context& context, tcp::endpoint place, Visi
 
 std::string trouble_of(const Visit& visit, const tcp::endpoint& place) {
   const std::string who = to_text(place);
-  if (visit.stage == Visit::Stage::kConnecting) return who + " does not answer: timed out";
-  if (visit.stage == Visit::Stage::kRefused)
+  if (visit.stage == Visit::VisitStage::kConnecting) return who + " does not answer: timed out";
+  if (visit.stage == Visit::VisitStage::kRefused)
     return "cannot connect to " + who + " (" + visit.refusal + ")";
   if (!has_answered(visit.probe)) return who + " " + visit.probe.trouble();
   const std::string trouble = trouble_with_readiness(visit.readiness);
@@ -109,14 +109,14 @@ std::string ask(const tcp::endpoint& place, Clock::time_point deadline) {
 }
 
 /// The result of an attempt: the problem, empty if there is none, and its exit code.
-struct Outcome {
+struct AttemptResult {
   std::string trouble;
   ExitCode code = ExitCode::kNoServer;
 };
 
 /// Makes one attempt. A missing port file may still be written by its server; one without a port is
 /// invalid.
-Outcome try_once(const HealthOptions& options, Clock::time_point deadline) {
+AttemptResult try_once(const HealthOptions& options, Clock::time_point deadline) {
   const auto address = asio::ip::make_address(address_to_ask(options.listen));
   try {
     const bool has_file = !options.port_file.empty();
@@ -138,7 +138,7 @@ ExitCode run_command(const HealthOptions& options) {
       std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options.wait_s));
   const auto deadline = Clock::now() + (is_one_try ? kMaxTry : wait);
   for (;;) {
-    const Outcome outcome = try_once(options, std::min(deadline, Clock::now() + kMaxTry));
+    const AttemptResult outcome = try_once(options, std::min(deadline, Clock::now() + kMaxTry));
     if (outcome.trouble.empty()) return ExitCode::kGood;
     // (twice, to leave some time for the last attempt)
     if (is_one_try || Clock::now() + 2 * kBetweenTries > deadline)

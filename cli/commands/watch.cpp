@@ -127,7 +127,7 @@ class Watcher {
   }
 
   void press_in_page(const watch::ModeKey& key) {
-    const watch::CommandMode::Outcome outcome = command_mode_.press(key, model_.known().display);
+    const watch::CommandMode::KeyResult outcome = command_mode_.press(key, model_.known().display);
     if (outcome.call) act(*outcome.call);
     if (!outcome.is_taken && !key.is_alt) press_letter(key.letter);
   }

@@ -24,7 +24,7 @@ namespace {
 /// time.
 class KeyboardInput {
  public:
-  enum class End : std::uint8_t { kNone, kOfInput, kSignal };
+  enum class InputEnd : std::uint8_t { kNone, kOfInput, kSignal };
 
   KeyboardInput();
   ~KeyboardInput();
@@ -33,7 +33,7 @@ class KeyboardInput {
 
   /// The next line without its line end; nullopt after the last one.
   std::optional<std::string> line();
-  End end() const { return end_; }
+  InputEnd end() const { return end_; }
   bool is_terminal() const { return is_terminal_; }
 
  private:
@@ -48,7 +48,7 @@ class KeyboardInput {
   static volatile std::sig_atomic_t nothing;  // a descriptor of /dev/null
   bool is_terminal_ = ::isatty(STDIN_FILENO) != 0;
   std::string text_;
-  End end_ = End::kNone;
+  InputEnd end_ = InputEnd::kNone;
 };
 
 volatile std::sig_atomic_t KeyboardInput::stopped = 0;
@@ -80,11 +80,11 @@ void KeyboardInput::read_more() {
   char bytes[4096];
   const ::ssize_t count = ::read(STDIN_FILENO, bytes, sizeof bytes);
   if (stopped != 0) {
-    end_ = End::kSignal;
+    end_ = InputEnd::kSignal;
   } else if (count > 0) {
     text_.append(bytes, static_cast<std::size_t>(count));
   } else if (count == 0 || errno != EINTR) {
-    end_ = End::kOfInput;
+    end_ = InputEnd::kOfInput;
   }
 }
 
@@ -96,13 +96,13 @@ std::string KeyboardInput::take(std::size_t length, std::size_t line_end) {
 
 /// The next line. Text after the last line end of a pipe is a line, too.
 std::optional<std::string> KeyboardInput::line() {
-  while (end_ == End::kNone) {
+  while (end_ == InputEnd::kNone) {
     const std::size_t end = text_.find('\n');
     if (end != std::string::npos) return take(end, 1);
     if (text_.size() >= kMaxLength) return take(kMaxLength, 0);
     read_more();
   }
-  if (end_ == End::kSignal || text_.empty() || is_terminal()) return std::nullopt;
+  if (end_ == InputEnd::kSignal || text_.empty() || is_terminal()) return std::nullopt;
   return take(text_.size(), 0);
 }
 
@@ -176,8 +176,8 @@ DialogueTurn handle_line(KeyboardInput& input, WorkcellDialogue& dialogue) {
   const std::optional<std::string> line = input.line();
   if (!line) {
     print_text("\n");
-    return dialogue.leave(input.end() == KeyboardInput::End::kSignal ? "Interrupted"
-                                                                     : "End of input");
+    return dialogue.leave(input.end() == KeyboardInput::InputEnd::kSignal ? "Interrupted"
+                                                                          : "End of input");
   }
   if (!input.is_terminal()) print_text(*line + "\n");
   return dialogue.handle(*line);
@@ -194,7 +194,7 @@ ExitCode run_command(const WorkcellOptions& options) {
     turn = turn.file_text ? write(options, turn, dialogue) : handle_line(input, dialogue);
     print_text(turn.text);
   }
-  const bool is_lost = input.end() != KeyboardInput::End::kNone && dialogue.has_unsaved();
+  const bool is_lost = input.end() != KeyboardInput::InputEnd::kNone && dialogue.has_unsaved();
   return is_lost ? ExitCode::kBadInput : ExitCode::kGood;
 }
 

@@ -10,12 +10,12 @@ namespace xr3 {
 
 std::string Expectation::trouble_of(const RunReport& report) const {
   switch (kind_) {
-    case Kind::kAllGoals: return report.is_passed() ? "" : "it does not meet all goals";
-    case Kind::kNoPoints:
+    case ExpectationKind::kAllGoals: return report.is_passed() ? "" : "it does not meet all goals";
+    case ExpectationKind::kNoPoints:
       return points_of(report.goals) == 0
                  ? ""
                  : "it gets " + std::to_string(points_of(report.goals)) + " points";
-    case Kind::kStated: break;
+    case ExpectationKind::kStated: break;
   }
   if (is_as_stated(report)) return "";
   return "the judge does not find, as its first line states, " + what_ +

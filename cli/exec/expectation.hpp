@@ -12,25 +12,25 @@ namespace xr3 {
 
 class Expectation {
  public:
-  static Expectation all_goals() { return Expectation(Kind::kAllGoals, "", ""); }
-  static Expectation no_points() { return Expectation(Kind::kNoPoints, "", ""); }
+  static Expectation all_goals() { return Expectation(ExpectationKind::kAllGoals, "", ""); }
+  static Expectation no_points() { return Expectation(ExpectationKind::kNoPoints, "", ""); }
   /// An expectation in words: `failed` or `time_up`; or the kind of a goal that is missed, with a
   /// part of its `found`.
   static Expectation stated(std::string what, std::string part) {
-    return Expectation(Kind::kStated, std::move(what), std::move(part));
+    return Expectation(ExpectationKind::kStated, std::move(what), std::move(part));
   }
 
-  bool is_stated() const { return kind_ == Kind::kStated; }
+  bool is_stated() const { return kind_ == ExpectationKind::kStated; }
   /// The difference of a report from the expectation; empty if there is none.
   std::string trouble_of(const RunReport& report) const;
 
  private:
-  enum class Kind : std::uint8_t { kAllGoals, kNoPoints, kStated };
-  Expectation(Kind kind, std::string what, std::string part)
+  enum class ExpectationKind : std::uint8_t { kAllGoals, kNoPoints, kStated };
+  Expectation(ExpectationKind kind, std::string what, std::string part)
       : kind_(kind), what_(std::move(what)), part_(std::move(part)) {}
   bool is_as_stated(const RunReport& report) const;
 
-  Kind kind_;
+  ExpectationKind kind_;
   std::string what_;
   std::string part_;
 };

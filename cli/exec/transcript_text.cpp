@@ -25,7 +25,7 @@ void TranscriptText::output(const Cell& cell, LineId line, std::string_view byte
   add(text_.size(), {cell.state().tick, line, '<', bytes});
 }
 
-void TranscriptText::add(std::size_t at, const Bytes& bytes) {
+void TranscriptText::add(std::size_t at, const Transfer& bytes) {
   if (is_full_) return;
   is_full_ = text_.size() >= kMaxBytes;
   const std::string row = is_full_ ? "# the rest is left out\n"

@@ -23,13 +23,13 @@ class TranscriptText final : public InputLog {
   void output(const Cell& cell, LineId line, std::string_view bytes) override;
 
  private:
-  struct Bytes {
+  struct Transfer {
     Tick tick;
     LineId line;
     char direction;
     std::string_view text;
   };
-  void add(std::size_t at, const Bytes& bytes);
+  void add(std::size_t at, const Transfer& bytes);
 
   std::string text_;
   std::size_t input_at_ = 0;  ///< position in the text for the input that is being executed

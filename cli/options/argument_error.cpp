@@ -10,7 +10,7 @@
 namespace xr3 {
 namespace {
 
-using Words = std::vector<std::string>;
+using ArgumentList = std::vector<std::string>;
 
 constexpr std::size_t kCommandColumns = 11;  // columns of the longest name
 
@@ -29,13 +29,13 @@ std::string help_on(const CLI::App& command) {
   return "; " + name_of(command) + " --help lists the " + what;
 }
 
-std::string perhaps(std::string_view word, const Words& known) {
+std::string perhaps(std::string_view word, const ArgumentList& known) {
   const std::string nearest = data::nearest_name(word, known);
   return nearest.empty() ? "" : "; perhaps " + nearest + " was meant";
 }
 
 /// The names that end with this option, such as --robot-port for --port; else the nearest.
-std::string perhaps_option(const std::string& name, const Words& known) {
+std::string perhaps_option(const std::string& name, const ArgumentList& known) {
   std::string longer;
   for (const std::string& each : known)
     if (name.starts_with("--") && each.ends_with(name.substr(1)))
@@ -43,16 +43,16 @@ std::string perhaps_option(const std::string& name, const Words& known) {
   return longer.empty() ? perhaps(name, known) : "; perhaps " + longer + " was meant";
 }
 
-Words options_of(const CLI::App& command) {
-  Words names;
+ArgumentList options_of(const CLI::App& command) {
+  ArgumentList names;
   for (const CLI::Option* option : command.get_options()) {
     for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
   }
   return names;
 }
 
-Words commands_of(const CLI::App& app) {
-  Words names;
+ArgumentList commands_of(const CLI::App& app) {
+  ArgumentList names;
   for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
   return names;
 }
@@ -69,15 +69,15 @@ std::string list_of_commands(const CLI::App& app) {
 }
 
 /// The unexpected arguments. The library counts the `--` before the arguments of another program.
-Words extras_of(const CLI::App& app) {
-  Words extras = app.remaining(true);
+ArgumentList extras_of(const CLI::App& app) {
+  ArgumentList extras = app.remaining(true);
   std::erase(extras, "--");
   return extras;
 }
 
 /// The first unexpected argument of the program.
-std::string first_extra(const CLI::App& app, const Words& arguments) {
-  const Words extras = extras_of(app);
+std::string first_extra(const CLI::App& app, const ArgumentList& arguments) {
+  const ArgumentList extras = extras_of(app);
   const auto is_extra = [&extras](const std::string& argument) {
     return std::find(extras.begin(), extras.end(), argument) != extras.end();
   };
@@ -85,12 +85,12 @@ std::string first_extra(const CLI::App& app, const Words& arguments) {
   return first == arguments.end() ? extras.front() : *first;
 }
 
-bool is_before(const std::string& word, const std::string& command, const Words& arguments) {
+bool is_before(const std::string& word, const std::string& command, const ArgumentList& arguments) {
   return std::find(arguments.begin(), arguments.end(), word) <
          std::find(arguments.begin(), arguments.end(), command);
 }
 
-std::string unexpected(const CLI::App& app, const Words& arguments) {
+std::string unexpected(const CLI::App& app, const ArgumentList& arguments) {
   const CLI::App& command = command_of(app);
   const std::string word = first_extra(app, arguments);
   if (&command == &app && !word.starts_with('-'))

@@ -72,7 +72,7 @@ asio::awaitable<void> TermConsole::await_signals() {
 
 // Sends a key. The bytes in hexadecimal replace the echo.
 void TermConsole::type(const term::Keystroke& key) {
-  const term::Typist::Outcome outcome = typist_.press(key);
+  const term::Typist::TypingResult outcome = typist_.press(key);
   const bool is_data = !outcome.requests.empty() &&
                        std::holds_alternative<term::SendBytes>(outcome.requests.front());
   if (!is_data || options_.view != TermView::kHex) write(screen_.type(outcome.echo));

@@ -76,7 +76,7 @@ void CameraCache::compare(const Model& model, const State& state) {
   held_corners_ = held_corners;
 }
 
-bool CameraCache::is_at(const Block& block, const Place& place) {
+bool CameraCache::is_at(const Block& block, const BlockPose& place) {
   return block.centroid_um == place.centroid_um && block.yaw_udeg == place.yaw_udeg &&
          block.size_um == place.size_um;
 }

@@ -42,7 +42,7 @@ class CameraCache {
 
  private:
   /// Size and placement of a block.
-  struct Place {
+  struct BlockPose {
     PointUm size_um;
     PointUm centroid_um;
     Microdegrees yaw_udeg = 0;
@@ -51,12 +51,12 @@ class CameraCache {
   struct Scene {
     Camera camera;
     Micrometres work_surface_um = 0;
-    std::vector<Place> places;
+    std::vector<BlockPose> places;
     std::optional<std::uint32_t> held;  ///< the block that is not at rest
   };
 
   ImagePtr clean_image(const Model& model, const State& state);
-  static bool is_at(const Block& block, const Place& place);
+  static bool is_at(const Block& block, const BlockPose& place);
   bool is_same_scene(const Model& model, const State& state) const;
   void keep_scene(const Model& model, const State& state);
   void compare(const Model& model, const State& state);

@@ -53,14 +53,14 @@ ToolTarget seen_from(const Transform& pose, const ToolTarget& target) {
 Eigen::Vector3d tip_of(const Transform& pose) { return pose.block<3, 1>(0, 3); }
 
 /// The minimum and maximum value that still round to a count within the limits.
-struct Span {
+struct ValueRange {
   double low;
   double high;
 
   double excess(double value) const { return std::max({low - value, value - high, 0.0}); }
 };
 
-Span allowed_span(const Model& model, int joint) {
+ValueRange allowed_span(const Model& model, int joint) {
   const MotorModel& motor = model.motor(joint);
   const auto [low, high] =
       std::minmax({model.variable(joint, motor.low), model.variable(joint, motor.high)});
@@ -70,7 +70,7 @@ Span allowed_span(const Model& model, int joint) {
 /// Adds full turns so that the value is within the limits if possible, and then nearest to the
 /// home.
 double wrapped(const Model& model, int joint, double angle_deg) {
-  const Span span = allowed_span(model, joint);
+  const ValueRange span = allowed_span(model, joint);
   const double home = model.motor(joint).drive.home;
   const double near = home + std::remainder(angle_deg - home, kTurnDeg);
   double best = near;

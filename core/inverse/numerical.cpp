@@ -33,9 +33,9 @@ double arm_length_mm(const Robot& robot) {
 
 /// The least-squares problem: unknowns in radians or arm lengths, residuals in arm lengths or
 /// radians.
-class Problem {
+class LeastSquares {
  public:
-  Problem(const Robot& robot, const ToolTarget& target)
+  LeastSquares(const Robot& robot, const ToolTarget& target)
       : robot_(robot), target_(target), length_mm_(arm_length_mm(robot)) {
     const bool last_given = target.kind == TargetKind::kPointing;
     unknowns_ = static_cast<Eigen::Index>(robot.joints.size()) - (last_given ? 1 : 0);
@@ -94,7 +94,7 @@ class Problem {
   Eigen::Index rows_ = 6;
 };
 
-JointVariables descend(const Problem& problem, JointVariables at) {
+JointVariables descend(const LeastSquares& problem, JointVariables at) {
   double damping = 1e-3;
   Vector rest = problem.residual(at);
   for (int step = 0; step < kMaxSteps && rest.norm() > kDone && damping < 1e9; ++step) {
@@ -148,7 +148,7 @@ bool is_known(const Robot& robot, const Candidates& found, const JointVariables&
   });
 }
 
-bool can_move_in_place(const Problem& problem, const JointVariables& variables) {
+bool can_move_in_place(const LeastSquares& problem, const JointVariables& variables) {
   Eigen::ColPivHouseholderQR<Matrix> decomposition(problem.slopes(variables));
   decomposition.setThreshold(kRankThreshold);
   return decomposition.rank() < problem.unknowns();
@@ -159,7 +159,7 @@ bool can_move_in_place(const Problem& problem, const JointVariables& variables) 
 Candidates solve_numerically(const Robot& robot, const ToolTarget& target,
                              const InverseOptions& options) {
   Candidates found;
-  const Problem problem(robot, target);
+  const LeastSquares problem(robot, target);
   double least = std::numeric_limits<double>::infinity();
   for (int index = 0; index < kStarts; ++index) {
     if (!found.freedoms.empty() && found.list.size() == kMaxOfFamily) break;

@@ -154,7 +154,7 @@ std::string high_inputs(const SwitchBits& bits, const ReplyContext& context) {
 }
 
 /// The table of replies.
-struct Replies {
+struct ReplyTexts {
   const Command& command;
   const ReplyContext& context;
 
@@ -206,7 +206,7 @@ std::string_view code_of(const Command& command) {
 }
 
 ReplyText reply_text(const wire::Answered& answered, const ReplyContext& context) {
-  return std::visit(Replies{answered.command, context}, answered.reply);
+  return std::visit(ReplyTexts{answered.command, context}, answered.reply);
 }
 
 }  // namespace xr3

@@ -71,19 +71,20 @@ void warn(Reading& reading, std::size_t block, std::string found, std::string al
 }
 
 /// Extent of a footprint in x, to find neighbours.
-struct Span {
+struct FootprintSpan {
   double low;
   double high;
   std::size_t block;
 };
 
-std::vector<Span> spans_by_x(const std::vector<Shape>& shapes) {
-  std::vector<Span> spans;
+std::vector<FootprintSpan> spans_by_x(const std::vector<Shape>& shapes) {
+  std::vector<FootprintSpan> spans;
   for (const Shape& shape : shapes) {
     const double reach = shape.reach(Eigen::Vector2d::UnitX());
     spans.push_back({shape.centre.x() - reach, shape.centre.x() + reach, spans.size()});
   }
-  std::sort(spans.begin(), spans.end(), [](const Span& a, const Span& b) { return a.low < b.low; });
+  std::sort(spans.begin(), spans.end(),
+            [](const FootprintSpan& a, const FootprintSpan& b) { return a.low < b.low; });
   return spans;
 }
 
@@ -91,7 +92,7 @@ std::vector<Span> spans_by_x(const std::vector<Shape>& shapes) {
 std::vector<std::size_t> first_overlaps(const std::vector<Shape>& shapes) {
   std::vector<std::size_t> first(shapes.size());
   std::iota(first.begin(), first.end(), std::size_t{0});
-  const std::vector<Span> spans = spans_by_x(shapes);
+  const std::vector<FootprintSpan> spans = spans_by_x(shapes);
   for (auto span = spans.begin(); span != spans.end(); ++span) {
     for (auto next = span + 1; next != spans.end() && next->low <= span->high; ++next) {
       const auto [earlier, later] = std::minmax(span->block, next->block);

@@ -190,35 +190,35 @@ bool read_as(const Place& place, Goal& goal) {
   return is_good;
 }
 
-struct Kind {
+struct GoalKind {
   std::string name;
   bool (*read)(const Place&, Goal&);
 };
 
 /// In the order of goal::Condition.
-const std::vector<Kind>& kinds() {
-  static const std::vector<Kind> all = {{"block", read_as<BlockPlace>},
-                                        {"stacked", read_as<Stacked>},
-                                        {"sorted", read_as<Sorted>},
-                                        {"holding", read_as<Holding>},
-                                        {"joint", read_as<JointValue>},
-                                        {"tip", read_as<TipPlace>},
-                                        {"no_stall", read_as<NoStall>},
-                                        {"no_warnings", read_as<NoWarnings>},
-                                        {"no_soft_home", read_as<NoSoftHome>},
-                                        {"untouched", read_as<Untouched>},
-                                        {"keep_out", read_as<KeepOut>},
-                                        {"order", read_as<Order>},
-                                        {"max_sim_seconds", read_as<MaxSimTime>},
-                                        {"max_bytes", read_as<MaxBytes>},
-                                        {"max_tip_path", read_as<MaxTipPath>}};
+const std::vector<GoalKind>& kinds() {
+  static const std::vector<GoalKind> all = {{"block", read_as<BlockPlace>},
+                                            {"stacked", read_as<Stacked>},
+                                            {"sorted", read_as<Sorted>},
+                                            {"holding", read_as<Holding>},
+                                            {"joint", read_as<JointValue>},
+                                            {"tip", read_as<TipPlace>},
+                                            {"no_stall", read_as<NoStall>},
+                                            {"no_warnings", read_as<NoWarnings>},
+                                            {"no_soft_home", read_as<NoSoftHome>},
+                                            {"untouched", read_as<Untouched>},
+                                            {"keep_out", read_as<KeepOut>},
+                                            {"order", read_as<Order>},
+                                            {"max_sim_seconds", read_as<MaxSimTime>},
+                                            {"max_bytes", read_as<MaxBytes>},
+                                            {"max_tip_path", read_as<MaxTipPath>}};
   return all;
 }
 
 const std::vector<std::string>& goal_kinds() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> all;
-    for (const Kind& kind : kinds()) all.push_back(kind.name);
+    for (const GoalKind& kind : kinds()) all.push_back(kind.name);
     return all;
   }();
   return names;
@@ -233,7 +233,7 @@ bool read_goal(const Place& place, Goal& goal) {
     if (place.reading.keeps_error()) place.reading.keep_missing(place.value, "kind", allowed);
     return false;
   }
-  for (const Kind& each : kinds())
+  for (const GoalKind& each : kinds())
     if (kind.is(each.name)) return each.read(place, goal);
   return Place{place.reading, kind}.refuse(allowed);
 }

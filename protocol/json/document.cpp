@@ -24,9 +24,9 @@ unsigned hex_digits(std::string_view digits) {
 }
 
 /// Decodes the contents of a quoted text piece by piece.
-class Letters {
+class StringDecoder {
  public:
-  explicit Letters(std::string_view written) : rest_(written) {}
+  explicit StringDecoder(std::string_view written) : rest_(written) {}
 
   bool is_over() const { return rest_.empty(); }
 
@@ -136,11 +136,11 @@ std::string child_pointer(const std::string& parent, std::size_t element) {
 JsonDocument::JsonDocument(std::string_view text) : text_(text) {
   assert(text.size() <= kLength);
   build_index();
-  if (fault_ == Fault::kNone) mark_duplicates();
+  if (fault_ == SyntaxFault::kNone) mark_duplicates();
 }
 
 JsonValue JsonDocument::root() const {
-  return fault_ == Fault::kNone ? JsonValue(this, 0) : JsonValue();
+  return fault_ == SyntaxFault::kNone ? JsonValue(this, 0) : JsonValue();
 }
 
 void JsonDocument::mark_duplicates() {
@@ -192,7 +192,7 @@ std::string JsonValue::text(std::size_t most) const {
     return std::string(all.substr(0, letter_end(all, most)));
   }
   std::string result;
-  for (Letters letters(written()); !letters.is_over() && result.size() < most;) {
+  for (StringDecoder letters(written()); !letters.is_over() && result.size() < most;) {
     const std::string_view part = letters.next();
     result += part.substr(0, letter_end(part, most - result.size()));
   }
@@ -202,14 +202,14 @@ std::string JsonValue::text(std::size_t most) const {
 std::size_t JsonValue::text_size() const {
   if (!has_escapes()) return written().size();
   std::size_t size = 0;
-  for (Letters letters(written()); !letters.is_over();) size += letters.next().size();
+  for (StringDecoder letters(written()); !letters.is_over();) size += letters.next().size();
   return size;
 }
 
 bool JsonValue::is(std::string_view text) const {
   if (!is_text()) return false;
   if (!has_escapes()) return written() == text;
-  for (Letters letters(written()); !letters.is_over();) {
+  for (StringDecoder letters(written()); !letters.is_over();) {
     const std::string_view part = letters.next();
     if (!text.starts_with(part)) return false;
     text.remove_prefix(part.size());
@@ -220,8 +220,8 @@ bool JsonValue::is(std::string_view text) const {
 /// Compares two decoded texts by bytes: negative, 0 or positive.
 int JsonValue::compare_text(JsonValue other) const {
   if (!has_escapes() && !other.has_escapes()) return written().compare(other.written());
-  Letters mine(written());
-  Letters others(other.written());
+  StringDecoder mine(written());
+  StringDecoder others(other.written());
   std::string_view a;
   std::string_view b;
   for (;;) {
@@ -360,7 +360,7 @@ std::size_t JsonValue::json_size(std::size_t most) const {
   }
   if (is_text()) {
     std::size_t size = 2;
-    for (Letters letters(written()); !letters.is_over() && size <= most;)
+    for (StringDecoder letters(written()); !letters.is_over() && size <= most;)
       for (const char c : letters.next()) size += dumped_size(c);
     return size;
   }

@@ -38,7 +38,7 @@ class JsonDocument {
   /// Maximum nesting of lists and objects, in files and in messages.
   static constexpr std::size_t kMaxDepth = 32;
 
-  enum class Fault : std::uint8_t { kNone, kSyntax, kTooDeep };
+  enum class SyntaxFault : std::uint8_t { kNone, kSyntax, kTooDeep };
 
   /// Indexes a text, which must outlive the document. After a fault, root() is empty.
   /// Precondition: the text is shorter than 512 MiB.
@@ -47,7 +47,7 @@ class JsonDocument {
   JsonDocument& operator=(const JsonDocument&) = delete;
   ~JsonDocument() = default;
 
-  Fault fault() const { return fault_; }
+  SyntaxFault fault() const { return fault_; }
   /// Position and description of a fault in the text.
   struct Complaint {
     std::size_t position = 0;    ///< bytes read, including the offending one
@@ -85,7 +85,7 @@ class JsonDocument {
 
   std::string_view text_;
   std::vector<Token> tokens_;
-  Fault fault_ = Fault::kNone;
+  SyntaxFault fault_ = SyntaxFault::kNone;
   Complaint complaint_;
 };
 

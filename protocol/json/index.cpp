@@ -87,7 +87,7 @@ class JsonIndexer : public nlohmann::json_sax<Json> {
 
  private:
   void complain(std::size_t position, std::string message) {
-    document_.fault_ = JsonDocument::Fault::kSyntax;
+    document_.fault_ = JsonDocument::SyntaxFault::kSyntax;
     document_.complaint_ = {position, 0, std::move(message), {}};
   }
 
@@ -126,7 +126,7 @@ class JsonIndexer : public nlohmann::json_sax<Json> {
   bool open() {
     find_next();
     if (open_.size() == JsonDocument::kMaxDepth) {
-      document_.fault_ = JsonDocument::Fault::kTooDeep;
+      document_.fault_ = JsonDocument::SyntaxFault::kTooDeep;
       document_.complaint_.position = at_ + 1;
       document_.complaint_.pointer =
           JsonValue(&document_, open_.back()).pointer_from(JsonValue(&document_, 0));

@@ -34,7 +34,7 @@ std::string describe_duplicate(JsonValue member) {
 
 JsonSource::JsonSource(std::string_view text, std::string file)
     : file_(std::move(file)), text_(without_comment_lines(text)), document_(text_) {
-  if (document_.fault() != JsonDocument::Fault::kNone)
+  if (document_.fault() != JsonDocument::SyntaxFault::kNone)
     throw DataError({fault_finding(document_, file_)});
 }
 

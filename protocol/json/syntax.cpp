@@ -110,7 +110,7 @@ Finding fault_finding(const JsonDocument& document, const std::string& file) {
   const JsonDocument::Complaint& complaint = document.complaint();
   Finding finding;
   finding.file = file;
-  if (document.fault() == JsonDocument::Fault::kTooDeep) {
+  if (document.fault() == JsonDocument::SyntaxFault::kTooDeep) {
     finding.line = place_of(text, complaint.position - 1).line;
     finding.pointer = complaint.pointer;
     finding.found = "lists and objects deeper than " + std::to_string(JsonDocument::kMaxDepth);

@@ -12,11 +12,11 @@ static_assert(TelnetParser::kMaxKept == 1 + ComPort::kMaxRequest + 1);
 
 TelnetInput TelnetFilter::handle(const TelnetItem& item, std::string& answers) {
   switch (item.kind) {
-    case TelnetItem::Kind::kNothing: return {};
-    case TelnetItem::Kind::kData: return {item.byte};
-    case TelnetItem::Kind::kCommand: is_telnet_ |= item.byte == telnet::kInterrupt; return {};
-    case TelnetItem::Kind::kOption: return {std::nullopt, negotiate(item, answers)};
-    case TelnetItem::Kind::kSubnegotiation: return {std::nullopt, end_subnegotiation(answers)};
+    case TelnetItem::ItemKind::kNothing: return {};
+    case TelnetItem::ItemKind::kData: return {item.byte};
+    case TelnetItem::ItemKind::kCommand: is_telnet_ |= item.byte == telnet::kInterrupt; return {};
+    case TelnetItem::ItemKind::kOption: return {std::nullopt, negotiate(item, answers)};
+    case TelnetItem::ItemKind::kSubnegotiation: return {std::nullopt, end_subnegotiation(answers)};
   }
   return {};
 }

@@ -26,7 +26,7 @@ class TelnetFilter {
   /// Handles a byte from the client. Appends the answers of the telnet protocol to `answers`.
   TelnetInput feed(std::uint8_t byte, std::string& answers) {
     const TelnetItem item = parser_.feed(byte);
-    if (item.kind == TelnetItem::Kind::kData) return {item.byte};
+    if (item.kind == TelnetItem::ItemKind::kData) return {item.byte};
     return handle(item, answers);
   }
 

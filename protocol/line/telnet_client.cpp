@@ -52,14 +52,14 @@ std::string TelnetClient::opening() {
 std::optional<std::uint8_t> TelnetClient::feed(std::uint8_t byte, std::string& answers) {
   const TelnetItem item = parser_.feed(byte);
   switch (item.kind) {
-    case TelnetItem::Kind::kData: return item.byte;
-    case TelnetItem::Kind::kOption: {
+    case TelnetItem::ItemKind::kData: return item.byte;
+    case TelnetItem::ItemKind::kOption: {
       const bool had_com_port = has_com_port();
       options_.negotiate(item.byte, item.option, answers);
       if (has_com_port() && !had_com_port) request_settings(answers);
       break;
     }
-    case TelnetItem::Kind::kSubnegotiation: handle_answer(); break;
+    case TelnetItem::ItemKind::kSubnegotiation: handle_answer(); break;
     default: break;
   }
   return std::nullopt;

@@ -35,16 +35,16 @@ class TelnetOptions {
 
  private:
   // A bit for each accepted option.
-  struct Options {
+  struct OptionBits {
     std::uint8_t on = 0;
     std::uint8_t asked = 0;
-    bool operator==(const Options&) const = default;
+    bool operator==(const OptionBits&) const = default;
   };
-  Options& options(Side side) { return side == Side::kPeer ? peer_ : own_; }
-  const Options& options(Side side) const { return side == Side::kPeer ? peer_ : own_; }
+  OptionBits& options(Side side) { return side == Side::kPeer ? peer_ : own_; }
+  const OptionBits& options(Side side) const { return side == Side::kPeer ? peer_ : own_; }
 
-  Options peer_;
-  Options own_;
+  OptionBits peer_;
+  OptionBits own_;
 };
 
 }  // namespace xr3

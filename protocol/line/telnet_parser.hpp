@@ -14,8 +14,8 @@ namespace xr3 {
 
 /// The item that a byte of the stream completes.
 struct TelnetItem {
-  enum class Kind : std::uint8_t { kNothing, kData, kCommand, kOption, kSubnegotiation };
-  Kind kind = Kind::kNothing;
+  enum class ItemKind : std::uint8_t { kNothing, kData, kCommand, kOption, kSubnegotiation };
+  ItemKind kind = ItemKind::kNothing;
   std::uint8_t byte = 0;    ///< the data, the command, or the option's WILL, WONT, DO or DONT
   std::uint8_t option = 0;  ///< kOption: the option
 };
@@ -29,12 +29,14 @@ class TelnetParser {
   static constexpr std::size_t kMaxKept = 7;
 
   TelnetItem feed(std::uint8_t byte) {
-    if (is_plain(byte)) return {TelnetItem::Kind::kData, byte};
+    if (is_plain(byte)) return {TelnetItem::ItemKind::kData, byte};
     return feed_protocol(byte);
   }
 
   /// Whether feed() would return this byte as data and change nothing. Almost every byte is plain.
-  bool is_plain(std::uint8_t byte) const { return mode_ == Mode::kData && byte != telnet::kIac; }
+  bool is_plain(std::uint8_t byte) const {
+    return mode_ == TelnetMode::kData && byte != telnet::kIac;
+  }
 
   /// Whether feed() would return this byte as data.
   bool is_data(std::uint8_t byte) const;
@@ -49,7 +51,7 @@ class TelnetParser {
   void write_state(StateWriter& out) const { out.add(mode_, verb_, length_, kept_, kept_bytes_); }
 
  private:
-  enum class Mode : std::uint8_t {
+  enum class TelnetMode : std::uint8_t {
     kData,
     kCommand,
     kOption,
@@ -62,7 +64,7 @@ class TelnetParser {
   TelnetItem feed_subnegotiation(std::uint8_t byte);
   void keep(std::uint8_t byte);
 
-  Mode mode_ = Mode::kData;
+  TelnetMode mode_ = TelnetMode::kData;
   std::uint8_t verb_ = 0;  ///< WILL, WONT, DO or DONT before an option
   std::uint8_t kept_bytes_ = 0;
   /// Bytes of the subnegotiation so far; a command in it counts as one byte.

@@ -4,7 +4,7 @@
 
 namespace xr3::monitor {
 
-void ByteBudget::set_bytes(Member& member, std::size_t before, std::size_t now) {
+void ByteBudget::set_bytes(Account& member, std::size_t before, std::size_t now) {
   if (before > 0) by_size_.erase({before, &member});
   if (now > 0) by_size_.emplace(now, &member);
   assert(used_bytes_ >= before);
@@ -12,7 +12,7 @@ void ByteBudget::set_bytes(Member& member, std::size_t before, std::size_t now) 
 }
 
 /// Shrinks members that have more than `wanted` until `more` bytes are free.
-bool ByteBudget::make_room(const Member& member, std::size_t more, std::size_t wanted) {
+bool ByteBudget::make_room(const Account& member, std::size_t more, std::size_t wanted) {
   while (used_bytes_ + more > max_bytes_) {
     if (by_size_.empty()) return false;
     const auto [most, greediest] = *by_size_.rbegin();
@@ -24,7 +24,7 @@ bool ByteBudget::make_room(const Member& member, std::size_t more, std::size_t w
   return true;
 }
 
-bool ByteBudget::grant(Member& member, std::size_t wanted, Necessity necessity) {
+bool ByteBudget::grant(Account& member, std::size_t wanted, Necessity necessity) {
   const std::size_t before = member.bytes();
   const bool has_room = wanted <= before || make_room(member, wanted - before, wanted);
   if (!has_room && necessity == Necessity::kUseful) return false;
@@ -32,6 +32,6 @@ bool ByteBudget::grant(Member& member, std::size_t wanted, Necessity necessity) 
   return true;
 }
 
-void ByteBudget::release(Member& member) { set_bytes(member, member.bytes(), 0); }
+void ByteBudget::release(Account& member) { set_bytes(member, member.bytes(), 0); }
 
 }  // namespace xr3::monitor

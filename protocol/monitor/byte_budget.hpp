@@ -17,7 +17,7 @@ class ByteBudget {
   ByteBudget& operator=(const ByteBudget&) = delete;
 
   /// A part that grows and takes its bytes from the budget.
-  class Member {
+  class Account {
    public:
     /// The bytes that the part has.
     virtual std::size_t bytes() const = 0;
@@ -25,7 +25,7 @@ class ByteBudget {
     virtual void shrink() = 0;
 
    protected:
-    ~Member() = default;  // never owned through this interface
+    ~Account() = default;  // never owned through this interface
   };
 
   /// kVital: granted although the budget is used up.
@@ -34,19 +34,19 @@ class ByteBudget {
   /// Lets a member have `wanted` bytes in place of its current ones. Other members that have more
   /// than that shrink if necessary. Returns false, and changes nothing for this member, if it is
   /// not possible.
-  bool grant(Member& member, std::size_t wanted, Necessity necessity = Necessity::kUseful);
+  bool grant(Account& member, std::size_t wanted, Necessity necessity = Necessity::kUseful);
   /// Returns all bytes of a member to the budget.
-  void release(Member& member);
+  void release(Account& member);
 
   std::size_t used_bytes() const { return used_bytes_; }
 
  private:
-  bool make_room(const Member& member, std::size_t more, std::size_t wanted);
-  void set_bytes(Member& member, std::size_t before, std::size_t now);
+  bool make_room(const Account& member, std::size_t more, std::size_t wanted);
+  void set_bytes(Account& member, std::size_t before, std::size_t now);
 
   std::size_t max_bytes_;
   std::size_t used_bytes_ = 0;
-  std::set<std::pair<std::size_t, Member*>> by_size_;
+  std::set<std::pair<std::size_t, Account*>> by_size_;
 };
 
 }  // namespace xr3::monitor

@@ -32,7 +32,7 @@ class Feed {
 /// A ring that grows from nothing to its capacity, as far as the budget allows; then it overwrites
 /// its oldest messages.
 template <class Value>
-class Ring final : public Feed, private ByteBudget::Member {
+class Ring final : public Feed, private ByteBudget::Account {
  public:
   using ToMessage = std::function<Message(const Value& value, std::int64_t seq)>;
 

@@ -44,8 +44,8 @@ RequestError syntax_error(const JsonDocument& document) {
 
 /// Errors found by parsing, without an id.
 std::optional<RequestError> refuse_document(const JsonDocument& document) {
-  if (document.fault() == JsonDocument::Fault::kTooDeep) return too_deep();
-  if (document.fault() != JsonDocument::Fault::kNone) return syntax_error(document);
+  if (document.fault() == JsonDocument::SyntaxFault::kTooDeep) return too_deep();
+  if (document.fault() != JsonDocument::SyntaxFault::kNone) return syntax_error(document);
   if (!document.root().is_object())
     return bad_json(place_of(document.text(), document.root().offset()), "no object; allowed: {");
   return std::nullopt;

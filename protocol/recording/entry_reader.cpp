@@ -21,7 +21,7 @@ constexpr std::size_t kMaxText = 8192;
 constexpr int kMaxMicros = 999;
 constexpr std::size_t kMaxFnLength = 40;
 
-enum class Device : std::uint8_t { kOpened, kLost, kSilent };
+enum class DeviceChange : std::uint8_t { kOpened, kLost, kSilent };
 
 /// All members that an entry can have.
 struct Raw {
@@ -41,7 +41,7 @@ struct Raw {
   std::optional<bool> input_ended;
   std::optional<bool> silent;
   std::optional<LineCloseReason> close;
-  std::optional<Device> device;
+  std::optional<DeviceChange> device;
   std::optional<std::string> why;
   std::optional<std::string> device_in;
   std::optional<std::size_t> device_out;
@@ -107,10 +107,10 @@ const Members<Raw>& raw_members() {
       optional("input_ended", &Raw::input_ended, boolean()),
       optional("silent", &Raw::silent, boolean()),
       optional("close", &Raw::close, close_reason()),
-      optional(
-          "device", &Raw::device,
-          choice<Device>(
-              {{"opened", Device::kOpened}, {"lost", Device::kLost}, {"silent", Device::kSilent}})),
+      optional("device", &Raw::device,
+               choice<DeviceChange>({{"opened", DeviceChange::kOpened},
+                                     {"lost", DeviceChange::kLost},
+                                     {"silent", DeviceChange::kSilent}})),
       optional("why", &Raw::why, byte_text(kMaxText)),
       optional("device_in", &Raw::device_in, byte_text(kMaxBytes)),
       optional("device_out", &Raw::device_out, integer<std::size_t>(1, kMost)),
@@ -186,8 +186,8 @@ std::optional<EntryBody> make_seek(Raw& raw, Reading& reading) {
 }
 
 std::optional<EntryBody> make_device(Raw& raw, Reading&) {
-  if (*raw.device == Device::kOpened) return DeviceOpened{};
-  if (*raw.device == Device::kSilent) return DeviceSilent{};
+  if (*raw.device == DeviceChange::kOpened) return DeviceOpened{};
+  if (*raw.device == DeviceChange::kSilent) return DeviceSilent{};
   return DeviceLost{std::move(raw.why).value_or("")};
 }
 

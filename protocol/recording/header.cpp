@@ -19,13 +19,13 @@ constexpr std::size_t kMaxName = 200;
 constexpr std::size_t kMaxPath = 4096;
 constexpr int kMaxVersion = 1'000'000;
 
-struct Clock {
+struct RecordedClock {
   ClockMode mode = ClockMode::kReal;
   Rate rate;
 };
 
 /// The rate means nothing to a clock that counts bytes.
-Clock effective(const Clock& clock) {
+RecordedClock effective(const RecordedClock& clock) {
   return {clock.mode, clock.mode == ClockMode::kBytes ? Rate{} : clock.rate};
 }
 
@@ -39,7 +39,7 @@ struct Parts {
   std::optional<Robot> robot;
   Workcell workcell;
   std::optional<FaultPlan> faults;
-  Clock clock{ClockMode::kManual, {}};
+  RecordedClock clock{ClockMode::kManual, {}};
   std::optional<ByteClockSettings> byte_clock;
   std::optional<LineSpeed> line_speed;
   std::optional<RecordedDevice> device;
@@ -95,12 +95,12 @@ Members<ByteClockSettings> byte_clock_members() {
           required("concurrent_lines", &Settings::has_concurrent_lines, boolean())};
 }
 
-Members<Clock> clock_members() {
-  return {required("mode", &Clock::mode,
+Members<RecordedClock> clock_members() {
+  return {required("mode", &RecordedClock::mode,
                    choice<ClockMode>({{"real", ClockMode::kReal},
                                       {"manual", ClockMode::kManual},
                                       {"bytes", ClockMode::kBytes}})),
-          required("rate_millionths", &Clock::rate, millionths())};
+          required("rate_millionths", &RecordedClock::rate, millionths())};
 }
 
 Members<RecordedDevice> device_members() {
@@ -117,8 +117,9 @@ const Members<Parts>& header_members() {
       required("cell", &Parts::cell, text(1, kMaxName)),
       required("profile", &Parts::profile,
                choice<Profile>({{"paper", Profile::kPaper}, {"mark3", Profile::kMark3}})),
-      required("clock", &Parts::clock,
-               converted<Clock, Clock>(object(clock_members()), effective, effective)),
+      required(
+          "clock", &Parts::clock,
+          converted<RecordedClock, RecordedClock>(object(clock_members()), effective, effective)),
       optional("byte_clock", &Parts::byte_clock, object(byte_clock_members())),
       optional("line_speed", &Parts::line_speed, object(line_speed_members())),
       optional("device", &Parts::device, object(device_members())),

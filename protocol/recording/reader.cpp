@@ -64,7 +64,7 @@ void RecordingReader::check_line(std::string_view line) {
 }
 
 void RecordingReader::require_json(const JsonDocument& document) const {
-  if (document.fault() == JsonDocument::Fault::kNone) return;
+  if (document.fault() == JsonDocument::SyntaxFault::kNone) return;
   Finding finding = fault_finding(document, file_);
   finding.line = static_cast<int>(line_);
   throw DataError({std::move(finding)});

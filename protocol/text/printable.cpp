@@ -27,15 +27,15 @@ bool is_between(std::string_view text, std::size_t at, unsigned low, unsigned hi
 /// Size of the character outside ASCII at the start of a text (RFC 3629), or 0 if there is none or
 /// it is invalid.
 std::size_t utf8_length(std::string_view text) {
-  struct Form {
+  struct Utf8Form {
     unsigned first_low, first_high, second_low, second_high;
     std::size_t length;
   };
-  constexpr Form kForms[] = {{0xC2, 0xDF, 0x80, 0xBF, 2}, {0xE0, 0xE0, 0xA0, 0xBF, 3},
-                             {0xE1, 0xEC, 0x80, 0xBF, 3}, {0xED, 0xED, 0x80, 0x9F, 3},
-                             {0xEE, 0xEF, 0x80, 0xBF, 3}, {0xF0, 0xF0, 0x90, 0xBF, 4},
-                             {0xF1, 0xF3, 0x80, 0xBF, 4}, {0xF4, 0xF4, 0x80, 0x8F, 4}};
-  for (const Form& form : kForms) {
+  constexpr Utf8Form kForms[] = {{0xC2, 0xDF, 0x80, 0xBF, 2}, {0xE0, 0xE0, 0xA0, 0xBF, 3},
+                                 {0xE1, 0xEC, 0x80, 0xBF, 3}, {0xED, 0xED, 0x80, 0x9F, 3},
+                                 {0xEE, 0xEF, 0x80, 0xBF, 3}, {0xF0, 0xF0, 0x90, 0xBF, 4},
+                                 {0xF1, 0xF3, 0x80, 0xBF, 4}, {0xF4, 0xF4, 0x80, 0x8F, 4}};
+  for (const Utf8Form& form : kForms) {
     if (!is_between(text, 0, form.first_low, form.first_high)) continue;
     bool is_good = is_between(text, 1, form.second_low, form.second_high);
     for (std::size_t i = 2; i < form.length; ++i)

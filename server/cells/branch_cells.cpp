@@ -15,13 +15,13 @@ bool is_used(HostedCell& cell) {
 }  // namespace
 
 const std::string& BranchCells::origin_of(const HostedCell& cell) const {
-  const auto is_this = [&cell](const Member& each) { return each.cell.get() == &cell; };
+  const auto is_this = [&cell](const KeptBranch& each) { return each.cell.get() == &cell; };
   const auto member = std::ranges::find_if(members_, is_this);
   return member == members_.end() ? cell.name() : member->origin;
 }
 
 std::size_t BranchCells::count(const std::string& origin) const {
-  return static_cast<std::size_t>(std::ranges::count(members_, origin, &Member::origin));
+  return static_cast<std::size_t>(std::ranges::count(members_, origin, &KeptBranch::origin));
 }
 
 std::string BranchCells::next_name(const std::string& origin) {
@@ -48,7 +48,7 @@ void BranchCells::arm() {
 void BranchCells::close_unused() {
   const WallNs now = wall_now();
   std::vector<CellPtr> unused;
-  std::erase_if(members_, [&](Member& each) {
+  std::erase_if(members_, [&](KeptBranch& each) {
     const bool is_in_use = is_used(*each.cell);
     if (is_in_use) each.used = now;
     const bool goes = !is_in_use && now - each.used >= linger_;

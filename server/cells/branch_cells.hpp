@@ -39,7 +39,7 @@ class BranchCells {
   void stop();
 
  private:
-  struct Member {
+  struct KeptBranch {
     CellPtr cell;
     std::string origin;
     WallNs used = 0;  ///< when it last had a line or a subscriber
@@ -51,7 +51,7 @@ class BranchCells {
   WallNs linger_;
   std::function<void(const CellPtr&)> close_;
   asio::steady_timer timer_;
-  std::vector<Member> members_;
+  std::vector<KeptBranch> members_;
   std::map<std::string, std::uint64_t> named_;  ///< names given, by origin
   bool is_stopped_ = false;
 };

@@ -13,14 +13,14 @@ constexpr const char* kLinesName = "the serial lines";
 constexpr WallNs kPiece = 500'000;
 
 /// While it exists, the timer is cancelled when bytes of the line have acted.
-class Waiting {
+class ByteWait {
  public:
   using Timers = std::multimap<LineId, asio::steady_timer*>;
-  Waiting(Timers& all, LineId line, asio::steady_timer& timer)
+  ByteWait(Timers& all, LineId line, asio::steady_timer& timer)
       : all_(all), place_(all.emplace(line, &timer)) {}
-  Waiting(const Waiting&) = delete;
-  Waiting& operator=(const Waiting&) = delete;
-  ~Waiting() { all_.erase(place_); }
+  ByteWait(const ByteWait&) = delete;
+  ByteWait& operator=(const ByteWait&) = delete;
+  ~ByteWait() { all_.erase(place_); }
 
  private:
   Timers& all_;
@@ -41,7 +41,7 @@ std::optional<LineId> LineSessions::open(LineSource& source, std::unique_ptr<Lin
   const auto session =
       std::make_shared<LineSession>(std::move(stream), opened, context_, source, std::move(place));
   const LineId line = session->line();
-  Entry& entry = sessions_[line];
+  SessionEntry& entry = sessions_[line];
   if (entry.number) turns_.remove(*entry.number);
   entry = {session, turns_.add(session)};
   if (!entry.number) {
@@ -126,7 +126,7 @@ asio::awaitable<bool> LineSessions::wait_for_bytes(LineId id, std::uint64_t byte
     if (cell_.bytes_in(id).value_or(0) >= bytes_in) co_return true;
     const bool may_come = cell_.find_line(id) != nullptr && !is_closing_;
     if (!may_come || asio::steady_timer::clock_type::now() >= deadline) co_return false;
-    const Waiting waiting(waiting_, id, timer);
+    const ByteWait waiting(waiting_, id, timer);
     co_await timer.async_wait(kAwait);
   }
 }

@@ -62,11 +62,11 @@ class LineSessions final : public LineTransports {
   void drop();
 
  private:
-  struct Entry {
+  struct SessionEntry {
     std::shared_ptr<LineSession> session;
     std::optional<SessionNumber> number;  ///< nullopt: it has no turns
   };
-  using Sessions = std::map<LineId, Entry>;
+  using Sessions = std::map<LineId, SessionEntry>;
 
   void end(LineId line, LineCloseReason reason);
   void notify(LineId line);

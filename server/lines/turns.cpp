@@ -24,7 +24,7 @@ std::optional<SessionNumber> LineTurns::add(std::shared_ptr<LineSession> session
   while (sessions_.contains(++last_)) {
   }
   if (!watch_.add(session->descriptor(), last_)) return std::nullopt;
-  sessions_.emplace(last_, Entry{std::move(session)});
+  sessions_.emplace(last_, TurnEntry{std::move(session)});
   if (!std::exchange(is_watching_, true)) spawn_loop(io_.get_executor(), kTurnsName, run());
   return last_;
 }

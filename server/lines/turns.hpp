@@ -72,7 +72,7 @@ class LineTurns {
   bool is_watching() const { return watch_.is_open(); }
 
  private:
-  struct Entry {
+  struct TurnEntry {
     std::shared_ptr<LineSession> session;
     bool is_queued = false;
   };
@@ -92,7 +92,7 @@ class LineTurns {
   std::array<char, 64 * 1024> scratch_{};
   LineWatch watch_;
   bool is_watching_ = false;
-  std::unordered_map<SessionNumber, Entry> sessions_;
+  std::unordered_map<SessionNumber, TurnEntry> sessions_;
   SessionNumber last_ = 0;
   Queue ready_;
   Queue busy_;

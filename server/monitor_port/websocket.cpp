@@ -20,9 +20,9 @@ namespace {
 
 namespace beast = boost::beast;
 namespace ws = beast::websocket;
-using Clock = std::chrono::steady_clock;
+using SteadyClock = std::chrono::steady_clock;
 
-constexpr auto kNoDeadline = Clock::time_point::max();
+constexpr auto kNoDeadline = SteadyClock::time_point::max();
 constexpr std::chrono::seconds kMaxHandshake{10};
 // Time for the client to answer the close frame.
 constexpr std::chrono::milliseconds kMaxCloseTime{500};
@@ -48,11 +48,11 @@ bool ends_within_character(std::string_view text) {
 }
 
 /// The stream below Beast. Records when the connection last accepted bytes.
-class Wire {
+class TimedStream {
  public:
   using executor_type = tcp::socket::executor_type;
 
-  explicit Wire(tcp::socket& socket) : socket_(socket) {}
+  explicit TimedStream(tcp::socket& socket) : socket_(socket) {}
 
   executor_type get_executor() { return socket_.get_executor(); }
   template <class Buffers, class Token>
@@ -63,24 +63,24 @@ class Wire {
   // Beast starts a write after the previous one has made progress.
   template <class Buffers, class Token>
   auto async_write_some(const Buffers& buffers, Token&& token) {
-    last_progress_ = Clock::now();
+    last_progress_ = SteadyClock::now();
     return socket_.async_write_some(buffers, std::forward<Token>(token));
   }
-  Clock::time_point last_progress() const { return last_progress_; }
+  SteadyClock::time_point last_progress() const { return last_progress_; }
   tcp::socket& socket() { return socket_; }
 
  private:
   tcp::socket& socket_;
-  Clock::time_point last_progress_;
+  SteadyClock::time_point last_progress_;
 };
 
 // Beast finds these by argument-dependent lookup.
-void beast_close_socket(Wire& wire) {
+void beast_close_socket(TimedStream& wire) {
   ErrorCode ignored;
   wire.socket().close(ignored);
 }
 template <class Handler>
-void async_teardown(beast::role_type role, Wire& wire, Handler&& handler) {
+void async_teardown(beast::role_type role, TimedStream& wire, Handler&& handler) {
   ws::async_teardown(role, wire.socket(), std::forward<Handler>(handler));
 }
 
@@ -129,20 +129,20 @@ class BeastWebsocket final : public Websocket, private MessageSink {
   void written(ErrorCode error);
   void close(ws::close_code code);
   void watch();
-  void look_after(Clock::time_point now);
+  void look_after(SteadyClock::time_point now);
   void ping();
 
   std::shared_ptr<MonitorSocket> socket_;
   MonitorService& service_;
   std::optional<std::string> cell_;
   WebsocketPatience patience_;
-  ws::stream<Wire> stream_;
+  ws::stream<TimedStream> stream_;
   std::unique_ptr<OpenSession> session_;  ///< after the handshake
   beast::flat_buffer received_;           ///< bounded by the maximum message size
   monitor::Message message_;              ///< being written
   asio::steady_timer progress_;           ///< never expires; cancelled to resume waiting coroutines
   asio::steady_timer watch_;
-  Clock::time_point last_received_;  ///< when the client last sent anything
+  SteadyClock::time_point last_received_;  ///< when the client last sent anything
   bool is_reading_ = false;
   bool is_closing_ = false;
   bool is_pinging_ = false;
@@ -172,7 +172,7 @@ asio::awaitable<void> BeastWebsocket::run(std::string head) {
   const bool accepted = co_await accept(head);
   if (accepted) {
     session_ = std::make_unique<OpenSession>(service_, static_cast<MessageSink&>(*this), cell_);
-    last_received_ = Clock::now();
+    last_received_ = SteadyClock::now();
     watch();
     pump();
     co_await read_messages();
@@ -190,7 +190,7 @@ asio::awaitable<bool> BeastWebsocket::accept(const std::string& head) {
     for (const http::Field& field : http::safety_fields()) answer.set(field.name, field.value);
   }));
   stream_.control_callback(
-      [this](ws::frame_type, beast::string_view) { last_received_ = Clock::now(); });
+      [this](ws::frame_type, beast::string_view) { last_received_ = SteadyClock::now(); });
   const auto [error] = co_await stream_.async_accept(handshake, kAwait);
   co_return !error && socket_->is_open();
 }
@@ -211,11 +211,11 @@ asio::awaitable<void> BeastWebsocket::read_messages() {
 /// Reads the next message. False if the connection has ended, or was closed because of a message
 /// that is no text in UTF-8.
 asio::awaitable<bool> BeastWebsocket::read_text() {
-  last_received_ = Clock::now();  // nothing was read until now: no silence of the client
+  last_received_ = SteadyClock::now();  // nothing was read until now: no silence of the client
   is_reading_ = true;
   const auto [error, count] = co_await stream_.async_read(received_, kAwait);
   is_reading_ = false;
-  last_received_ = Clock::now();
+  last_received_ = SteadyClock::now();
   socket_->note_bytes(count);
   if (error) co_return false;
   if (stream_.got_text() && !ends_within_character(text_in(received_))) co_return true;
@@ -282,11 +282,11 @@ void BeastWebsocket::watch() {
   const auto of_writing = stream_.next_layer().last_progress() + patience_.before_close;
   watch_.expires_at(message_ ? std::min(of_silence, of_writing) : of_silence);
   when_expired(watch_, [self = self()] {
-    if (self->socket_->is_open()) self->look_after(Clock::now());
+    if (self->socket_->is_open()) self->look_after(SteadyClock::now());
   });
 }
 
-void BeastWebsocket::look_after(Clock::time_point now) {
+void BeastWebsocket::look_after(SteadyClock::time_point now) {
   if (!is_reading_) last_received_ = now;
   const auto stuck = now - stream_.next_layer().last_progress();
   const bool is_stuck = message_ && stuck >= patience_.before_close;

@@ -142,7 +142,7 @@ void MonitorSocket::stop_reading_after(milliseconds time) {
 
 void MonitorSocket::stop_reading() { reading_->stop(); }
 
-void MonitorSocket::Reading::stop() {
+void MonitorSocket::ReadState::stop() {
   is_stopped = true;
   waiting.emit(asio::cancellation_type::terminal);
 }

@@ -69,7 +69,7 @@ class MonitorSocket {
 
  private:
   /// Shared with the handler of a timer, which stops reading.
-  struct Reading {
+  struct ReadState {
     void stop();
 
     bool is_stopped = false;
@@ -83,7 +83,7 @@ class MonitorSocket {
   asio::awaitable<bool> wait_until_writable();
 
   std::shared_ptr<tcp::socket> socket_;  ///< shared with the handlers of the timers, which close it
-  std::shared_ptr<Reading> reading_ = std::make_shared<Reading>();
+  std::shared_ptr<ReadState> reading_ = std::make_shared<ReadState>();
   MemoryLimit* limit_;
   bool is_unacknowledged_ = false;  ///< bytes were received after the last ones sent
   asio::steady_timer deadline_;

@@ -34,7 +34,7 @@ void PtyPort::serve(const std::vector<std::string>& paths, ::mode_t rights) {
 
 void PtyPort::close() {
   is_closing_ = true;
-  for (Terminal& terminal : terminals_) terminal.pump.close();
+  for (ServedTerminal& terminal : terminals_) terminal.pump.close();
   round_ended_.cancel();
 }
 
@@ -43,7 +43,7 @@ void PtyPort::notice() {
     round_ended_.cancel();
     if (is_closing_) return;
     accept_arrived();
-    for (Terminal& terminal : terminals_) report(terminal);
+    for (ServedTerminal& terminal : terminals_) report(terminal);
   });
 }
 
@@ -60,7 +60,7 @@ asio::awaitable<void> PtyPort::settle() {
 
 asio::awaitable<void> PtyPort::run_round() {
   std::vector<std::pair<PtyShared*, std::uint64_t>> rounds;
-  for (Terminal& each : terminals_)
+  for (ServedTerminal& each : terminals_)
     rounds.emplace_back(&each.pump.shared(), each.pump.begin_round());
   const auto has_ended = [](PtyShared& shared, std::uint64_t round) {
     const std::scoped_lock use(shared.use);
@@ -71,7 +71,7 @@ asio::awaitable<void> PtyPort::run_round() {
 }
 
 void PtyPort::accept_arrived() {
-  for (Terminal& terminal : terminals_) accept(terminal.pump);
+  for (ServedTerminal& terminal : terminals_) accept(terminal.pump);
 }
 
 // If the line is refused, the thread sees the end of its socket pair.
@@ -88,7 +88,7 @@ void PtyPort::accept(PtyPump& pump) {
               LineOpened{pump.path(), LineKind::kPty});
 }
 
-void PtyPort::report(Terminal& terminal) {
+void PtyPort::report(ServedTerminal& terminal) {
   PtyShared& shared = terminal.pump.shared();
   const std::scoped_lock use(shared.use);
   const bool has_failed = shared.failure != nullptr;

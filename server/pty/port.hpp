@@ -29,8 +29,8 @@ class PtyPort final : public LineSource {
   void line_ended(LineId, LineCloseReason) override { ++progress_; }
 
  private:
-  struct Terminal {
-    Terminal(const std::string& path, ::mode_t rights, const std::function<void()>& notify)
+  struct ServedTerminal {
+    ServedTerminal(const std::string& path, ::mode_t rights, const std::function<void()>& notify)
         : pump(path, rights, notify) {}
 
     PtyPump pump;
@@ -39,7 +39,7 @@ class PtyPort final : public LineSource {
 
   void notice();
   void accept(PtyPump& pump);
-  static void report(Terminal& terminal);
+  static void report(ServedTerminal& terminal);
   asio::awaitable<void> run_round();
 
   asio::io_context& io_;
@@ -47,7 +47,7 @@ class PtyPort final : public LineSource {
   asio::steady_timer round_ended_;  ///< never expires; cancelled to resume those that settle
   std::uint64_t progress_ = 0;      ///< lines begun and ended, and reads
   bool is_closing_ = false;
-  std::list<Terminal> terminals_;
+  std::list<ServedTerminal> terminals_;
 };
 
 }  // namespace xr3

@@ -50,7 +50,7 @@ PseudoTerminal::PseudoTerminal(::mode_t rights)
   prepare();
 }
 
-PseudoTerminal::State PseudoTerminal::poll() const {
+PseudoTerminal::TerminalState PseudoTerminal::poll() const {
   assert(master_.is_open());
   ::pollfd state{master(), POLLIN, 0};
   retry_interrupted([&state] { return ::poll(&state, 1, 0); });

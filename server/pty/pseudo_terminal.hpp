@@ -28,13 +28,13 @@ class PseudoTerminal {
   /// The path of the slave, such as /dev/pts/3.
   const std::string& slave() const { return slave_; }
 
-  struct State {
+  struct TerminalState {
     bool is_open;    ///< a program has the slave open
     bool has_bytes;  ///< a read would give bytes
   };
   /// Waits until the kernel has handed on the bytes that programs have written, which takes long if
   /// the system is busy. If the terminal cannot be polled, nothing has changed: it is open.
-  State poll() const;
+  TerminalState poll() const;
   /// Makes the slave as a program expects a serial port: raw, 9600 baud, neither stopped nor
   /// exclusive, and without replies that the last program has not read. Bytes from a program are
   /// kept. Throws FileError, also if the last program has left another line discipline.

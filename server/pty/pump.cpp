@@ -195,7 +195,7 @@ void PtyPump::look_for_program() {
 }
 
 bool PtyPump::is_program_there() const {
-  const PseudoTerminal::State state = terminal_.poll();
+  const PseudoTerminal::TerminalState state = terminal_.poll();
   return state.is_open || state.has_bytes;
 }
 
@@ -245,7 +245,7 @@ void PtyPump::begin_line() {
 }
 
 void PtyPump::serve() {
-  const PseudoTerminal::State state = terminal_.poll();
+  const PseudoTerminal::TerminalState state = terminal_.poll();
   is_open_ = state.is_open;
   if (!move_replies()) return end_line(true);
   if (!is_open_) limit_unread(line_, kLastBytes);

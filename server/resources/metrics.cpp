@@ -40,9 +40,9 @@ const std::vector<std::string>& command_kinds() {
 }
 
 /// Builds the metric families, of one cell unless they are of the process.
-class Page {
+class MetricsPage {
  public:
-  explicit Page(const std::string& cell) : cell_(cell) {}
+  explicit MetricsPage(const std::string& cell) : cell_(cell) {}
 
   void counter(const std::string& name, const std::string& help, double value) {
     begin(name, help, MetricType::Counter);
@@ -92,7 +92,7 @@ double number(std::uint64_t count) { return static_cast<double>(count); }
 
 double seconds(std::int64_t ns) { return static_cast<double>(ns) / 1e9; }
 
-void add_lines(Page& page, const CellCounters& counters) {
+void add_lines(MetricsPage& page, const CellCounters& counters) {
   page.gauge("lines_open", "Open serial lines.", number(counters.lines_open));
   page.counter("lines_total", "Serial lines opened since the start.", number(counters.lines_total));
   page.begin("lines_closed_total", "Serial lines closed, by reason.", MetricType::Counter);
@@ -104,12 +104,12 @@ void add_lines(Page& page, const CellCounters& counters) {
   page.counter("bytes_out_total", "Bytes sent on serial lines.", number(counters.bytes_out));
 }
 
-void add_cells(Page& page, const CellCounters& counters) {
+void add_cells(MetricsPage& page, const CellCounters& counters) {
   page.gauge("cells", "Open cells.", number(counters.cells_open));
   page.counter("cells_opened_total", "Cells opened since the start.", number(counters.cells_total));
 }
 
-void add_commands(Page& page, const CellCounters& counters) {
+void add_commands(MetricsPage& page, const CellCounters& counters) {
   page.begin("commands_total", "Commands executed, by kind.", MetricType::Counter);
   for (std::size_t i = 0; i < kCommandKinds; ++i)
     page.add({{"kind", command_kinds()[i]}}, number(counters.commands.at(i)));
@@ -118,18 +118,18 @@ void add_commands(Page& page, const CellCounters& counters) {
     page.add({{"code", std::string(code)}}, number(count));
 }
 
-void add_time(Page& page, const CellCounters& counters) {
+void add_time(MetricsPage& page, const CellCounters& counters) {
   page.counter("ticks_total", "Ticks simulated, over all epochs.", number(counters.ticks));
   page.counter("simulated_seconds_total", "Seconds simulated, over all epochs.",
                number(counters.ticks) / kTickHz);
 }
 
-void add_recordings(Page& page, const CellCounters& counters) {
+void add_recordings(MetricsPage& page, const CellCounters& counters) {
   page.counter("recordings_failed_total", "Recordings that ended before their cells.",
                number(counters.recordings_failed));
 }
 
-void add_refusals(Page& page, const CellCounters& counters) {
+void add_refusals(MetricsPage& page, const CellCounters& counters) {
   const PortCounters& robot = counters.robot_port;
   const PortCounters& monitor = counters.monitor_port;
   page.counter("lines_refused_total", "Connections of the robot port beyond its limit of lines.",
@@ -145,7 +145,7 @@ void add_refusals(Page& page, const CellCounters& counters) {
   page.add({{"port", "monitor"}}, number(monitor.accept_failures));
 }
 
-void add_process(Page& page, const CellCounters& counters, const ProcessStats& process) {
+void add_process(MetricsPage& page, const CellCounters& counters, const ProcessStats& process) {
   page.gauge("event_loop_lag_seconds", "Greatest delay of the event loop in the last minute.",
              seconds(counters.loop_lag_ns));
   page.of_process("cpu_seconds_total", "User and system CPU time in seconds.", MetricType::Counter,
@@ -158,7 +158,7 @@ void add_process(Page& page, const CellCounters& counters, const ProcessStats& p
                   process.max_descriptors);
 }
 
-void add_sessions(Page& page, const CellCounters& counters) {
+void add_sessions(MetricsPage& page, const CellCounters& counters) {
   page.gauge("viewers", "Connected monitor clients.", number(counters.monitor_sessions));
   page.counter("wrong_tokens_total", "Wrong tokens that clients gave.",
                number(counters.wrong_tokens));
@@ -175,7 +175,7 @@ void add_sessions(Page& page, const CellCounters& counters) {
 
 std::string metrics_text(const std::string& cell, const CellCounters& counters,
                          const ProcessStats& process) {
-  Page page(cell);
+  MetricsPage page(cell);
   add_cells(page, counters);
   add_lines(page, counters);
   add_commands(page, counters);

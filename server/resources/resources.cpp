@@ -145,28 +145,28 @@ std::optional<Answer> HttpResources::refuse_websocket(const HttpRequest& request
 // --- Routes.
 
 struct HttpResources::Route {
-  enum class Kind : std::uint8_t {
+  enum class RouteKind : std::uint8_t {
     kServer,
     kMetrics,
     kCell
   };  ///< kServer needs no token, kMetrics may have its own; kCell accepts ?cell=
 
   std::string_view path;
-  Kind kind;
+  RouteKind kind;
   Show show;
 };
 
 const HttpResources::Route HttpResources::kRoutes[] = {
-    {kHealth, Route::Kind::kServer, &HttpResources::health},
-    {kReady, Route::Kind::kServer, &HttpResources::readiness},
-    {"/schema/v1.json", Route::Kind::kServer, &HttpResources::schema},
-    {"/metrics", Route::Kind::kMetrics, &HttpResources::metrics},
-    {"/state", Route::Kind::kCell, &HttpResources::state},
-    {"/robot", Route::Kind::kCell, &HttpResources::robot},
-    {"/workcell", Route::Kind::kCell, &HttpResources::workcell},
-    {"/camera.png", Route::Kind::kCell, &HttpResources::png},
-    {"/camera.pbm", Route::Kind::kCell, &HttpResources::bitmap},
-    {"/view.svg", Route::Kind::kCell, &HttpResources::view},
+    {kHealth, Route::RouteKind::kServer, &HttpResources::health},
+    {kReady, Route::RouteKind::kServer, &HttpResources::readiness},
+    {"/schema/v1.json", Route::RouteKind::kServer, &HttpResources::schema},
+    {"/metrics", Route::RouteKind::kMetrics, &HttpResources::metrics},
+    {"/state", Route::RouteKind::kCell, &HttpResources::state},
+    {"/robot", Route::RouteKind::kCell, &HttpResources::robot},
+    {"/workcell", Route::RouteKind::kCell, &HttpResources::workcell},
+    {"/camera.png", Route::RouteKind::kCell, &HttpResources::png},
+    {"/camera.pbm", Route::RouteKind::kCell, &HttpResources::bitmap},
+    {"/view.svg", Route::RouteKind::kCell, &HttpResources::view},
 };
 
 bool HttpResources::is_health_check(const HttpRequest& request) {
@@ -182,8 +182,8 @@ asio::awaitable<Answer> HttpResources::answer(const HttpRequest& request) {
     if (route.path != path) continue;
     std::optional<Answer> refused = co_await refuse_reading(route, request);
     if (refused) co_return *std::move(refused);
-    CellPtr at = route.kind == Route::Kind::kCell ? cell_of(request) : nullptr;
-    if (route.kind == Route::Kind::kCell && !at) co_return unknown_cell(service_.cells());
+    CellPtr at = route.kind == Route::RouteKind::kCell ? cell_of(request) : nullptr;
+    if (route.kind == Route::RouteKind::kCell && !at) co_return unknown_cell(service_.cells());
     if (at) at->cell().catch_up(wall_now());
     co_return co_await (this->*route.show)(std::move(at), request);
   }
@@ -193,8 +193,8 @@ asio::awaitable<Answer> HttpResources::answer(const HttpRequest& request) {
 /// The answer to a request that lacks the token that a private server requires; else nullopt.
 asio::awaitable<std::optional<Answer>> HttpResources::refuse_reading(const Route& route,
                                                                      const HttpRequest& request) {
-  if (route.kind == Route::Kind::kServer || !policy_.is_private()) co_return std::nullopt;
-  if (route.kind != Route::Kind::kMetrics || !policy_.has_metrics_token())
+  if (route.kind == Route::RouteKind::kServer || !policy_.is_private()) co_return std::nullopt;
+  if (route.kind != Route::RouteKind::kMetrics || !policy_.has_metrics_token())
     co_return http::token_required();
   const std::optional<std::string_view> token = bearer_token(request);
   if (!token) co_return http::metrics_token_required();

@@ -49,7 +49,7 @@ void read_file_text(std::string_view text) {
 
 std::optional<recording::Entry> entry_of(std::string_view line, Epoch epoch) {
   const JsonDocument document(line);
-  if (document.fault() != JsonDocument::Fault::kNone) return std::nullopt;
+  if (document.fault() != JsonDocument::SyntaxFault::kNone) return std::nullopt;
   data::Reading reading(document.root(), data::Unit::kMm);
   auto entry = recording::read_entry(reading, epoch);
   require(entry.has_value() != reading.has_errors(), "an entry, or why not");

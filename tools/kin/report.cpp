@@ -12,7 +12,7 @@
 namespace xr3 {
 namespace {
 
-using Rows = std::vector<std::vector<std::string>>;
+using KinRows = std::vector<std::vector<std::string>>;
 
 constexpr int kDecimals = 4;
 constexpr int kAngleDecimals = 3;
@@ -28,7 +28,7 @@ std::string vector_text(const Vector& vector, int decimals = kDecimals) {
 }
 
 std::string motors_table(const Model& model, const KinPose& pose) {
-  Rows rows = {
+  KinRows rows = {
       {"motor", "variable", "", "motor count", "joint position", "variable there", "limits"}};
   for (int i = 0; i <= model.tool_index(); ++i) {
     const KinMotor& motor = pose.motors[static_cast<std::size_t>(i)];
@@ -49,7 +49,7 @@ std::string links_text(const Model& model, const KinPose& pose) {
     const std::string own = "T(" + std::to_string(k - 1) + "," + std::to_string(k) + ")";
     text += "\n" + own + " of " + joint_title(model, static_cast<int>(k) - 1) + ", and T(0," +
             std::to_string(k) + ")\n";
-    Rows rows;
+    KinRows rows;
     for (Eigen::Index row = 0; row < 4; ++row) {
       rows.emplace_back();
       for (const Transform* matrix : {&pose.links[k - 1], &pose.bases[k]}) {
@@ -66,7 +66,7 @@ std::string links_text(const Model& model, const KinPose& pose) {
 std::string tool_text(const KinPose& pose) {
   const Transform tool = pose.tool();
   const Eigen::Matrix3d rotation = tool.block<3, 3>(0, 0);
-  const Rows rows{
+  const KinRows rows{
       {"tip", vector_text(tool.block<3, 1>(0, 3)) + " mm"},
       {"normal (x)", vector_text(rotation.col(0))},
       {"sliding (y)", vector_text(rotation.col(1))},
@@ -94,7 +94,7 @@ std::string target_text(const Model& model, const ToolTarget& target) {
 }
 
 std::string variables_table(const Model& model, const InverseResult& result) {
-  Rows rows = {{"", "branch"}};
+  KinRows rows = {{"", "branch"}};
   for (int k = 0; k < model.joint_count(); ++k) rows[0].push_back(joint_title(model, k));
   for (std::size_t i = 0; i < result.solutions.size(); ++i) {
     rows.push_back({std::to_string(i + 1), result.solutions[i].branch});
@@ -106,9 +106,9 @@ std::string variables_table(const Model& model, const InverseResult& result) {
 }
 
 /// The joints' labels, then one row of counts per solution.
-Rows counts_rows(const Model& model, const InverseResult& result,
-                 Positions NearestCounts::*counts) {
-  Rows rows = {{""}};
+KinRows counts_rows(const Model& model, const InverseResult& result,
+                    Positions NearestCounts::*counts) {
+  KinRows rows = {{""}};
   for (int k = 0; k < model.joint_count(); ++k) rows[0].push_back(label_of(model, k));
   for (std::size_t i = 0; i < result.solutions.size(); ++i) {
     const Positions& row = result.solutions[i].counts.*counts;
@@ -120,7 +120,7 @@ Rows counts_rows(const Model& model, const InverseResult& result,
 }
 
 std::string counts_table(const Model& model, const InverseResult& result) {
-  Rows rows = counts_rows(model, result, &NearestCounts::motors);
+  KinRows rows = counts_rows(model, result, &NearestCounts::motors);
   const std::string numbers(rows[0].size() + 2, 'r');
   rows[0].insert(rows[0].end(), {"off mm", "off deg", "limits and region"});
   for (std::size_t i = 0; i < result.solutions.size(); ++i) {
@@ -136,7 +136,7 @@ std::string counts_table(const Model& model, const InverseResult& result) {
 /// A table of joint positions. Empty without couplings: the positions are then the motors' counts.
 std::string positions_table(const Model& model, const InverseResult& result) {
   if (model.robot().couplings.empty()) return "";
-  const Rows rows = counts_rows(model, result, &NearestCounts::positions);
+  const KinRows rows = counts_rows(model, result, &NearestCounts::positions);
   return "\nPositions of the joints in counts, coupling included\n" +
          text_table(rows, std::string(rows[0].size(), 'r'));
 }

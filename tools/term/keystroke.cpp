@@ -54,35 +54,37 @@ std::vector<Keystroke> KeyReader::feed(std::string_view bytes) {
 // Linux sends F1 to F5 as `ESC [ [` and a letter.
 void KeyReader::feed(char byte, std::vector<Keystroke>& keys) {
   switch (mode_) {
-    case Mode::kPlain:
+    case SequenceMode::kPlain:
       if (byte == kEscapeByte) {
-        mode_ = Mode::kEscape;
+        mode_ = SequenceMode::kEscape;
       } else {
         keys.push_back(plain_key(byte));
       }
       return;
-    case Mode::kEscape:
+    case SequenceMode::kEscape:
       number_ = 0;
       is_first_number_ = true;
       if (byte == kEscapeByte) return;
-      mode_ = byte == '[' ? Mode::kSequence : byte == 'O' ? Mode::kShortSequence : Mode::kPlain;
-      if (mode_ == Mode::kPlain) keys.push_back({KeyCode::kOther});
+      mode_ = byte == '['   ? SequenceMode::kSequence
+              : byte == 'O' ? SequenceMode::kShortSequence
+                            : SequenceMode::kPlain;
+      if (mode_ == SequenceMode::kPlain) keys.push_back({KeyCode::kOther});
       return;
-    case Mode::kSequence:
+    case SequenceMode::kSequence:
       if (byte >= '0' && byte <= '9') {
         if (is_first_number_) number_ = std::min(kMaxParameter, number_ * 10 + byte - '0');
       } else if (byte == '[') {
-        mode_ = Mode::kShortSequence;
+        mode_ = SequenceMode::kShortSequence;
         number_ = kMaxParameter;  // not a cursor key
       } else if (!ends_sequence(byte)) {
         is_first_number_ = false;
       } else {
-        mode_ = Mode::kPlain;
+        mode_ = SequenceMode::kPlain;
         keys.push_back({sequence_key(byte, number_)});
       }
       return;
-    case Mode::kShortSequence:
-      mode_ = Mode::kPlain;
+    case SequenceMode::kShortSequence:
+      mode_ = SequenceMode::kPlain;
       keys.push_back({number_ == kMaxParameter ? KeyCode::kOther : sequence_key(byte, number_)});
       return;
   }

@@ -36,11 +36,11 @@ class KeyReader {
   std::vector<Keystroke> feed(std::string_view bytes);
 
  private:
-  enum class Mode : std::uint8_t { kPlain, kEscape, kSequence, kShortSequence };
+  enum class SequenceMode : std::uint8_t { kPlain, kEscape, kSequence, kShortSequence };
 
   void feed(char byte, std::vector<Keystroke>& keys);
 
-  Mode mode_ = Mode::kPlain;
+  SequenceMode mode_ = SequenceMode::kPlain;
   int number_ = 0;  ///< the first parameter of a sequence, saturated
   bool is_first_number_ = true;
 };

@@ -13,30 +13,30 @@ namespace xr3::term {
 
 class Typist {
  public:
-  struct Outcome {
+  struct TypingResult {
     std::string echo;  ///< to print; \n ends a line
     std::vector<UserRequest> requests;
-    bool operator==(const Outcome&) const = default;
+    bool operator==(const TypingResult&) const = default;
   };
 
-  Outcome press(const Keystroke& key);
+  TypingResult press(const Keystroke& key);
 
   /// Notes that the terminal has begun a new line, below a reply. An escape may follow.
   void begin_line();
 
  private:
-  enum class Mode : std::uint8_t {
+  enum class TypingMode : std::uint8_t {
     kLineStart,
     kInLine,
     kEscape,    ///< after ~ at the start of a line
     kFileName,  ///< after ~s
   };
 
-  Outcome press_data(const Keystroke& key);
-  Outcome press_escape(const Keystroke& key);
-  Outcome press_file_name(const Keystroke& key);
+  TypingResult press_data(const Keystroke& key);
+  TypingResult press_escape(const Keystroke& key);
+  TypingResult press_file_name(const Keystroke& key);
 
-  Mode mode_ = Mode::kLineStart;
+  TypingMode mode_ = TypingMode::kLineStart;
   std::string escape_;  ///< text after the ~
   bool is_explained_ = false;
 };

@@ -88,7 +88,8 @@ std::size_t index_of(const ModeKey& key, bool is_menu_open) {
 
 }  // namespace
 
-CommandMode::Outcome CommandMode::press(const ModeKey& key, const std::optional<Display>& display) {
+CommandMode::KeyResult CommandMode::press(const ModeKey& key,
+                                          const std::optional<Display>& display) {
   if (asked_) return press_in_prompt(key);
   const bool is_menu_key = key == ModeKey{kMenuKey, 0, false} || key == ModeKey{'-', 0, true};
   if (is_menu_key || (is_menu_open_ && key.letter == kEscape)) {
@@ -107,7 +108,7 @@ CommandMode::Outcome CommandMode::press(const ModeKey& key, const std::optional<
   return {true, {}};
 }
 
-CommandMode::Outcome CommandMode::press_in_prompt(const ModeKey& key) {
+CommandMode::KeyResult CommandMode::press_in_prompt(const ModeKey& key) {
   constexpr std::string_view kTyped = "0123456789- ,";
   constexpr std::string_view kRubout = "\b\x7F";
   const Function& wanted = kFunctions[*asked_];

@@ -31,18 +31,18 @@ class CommandMode {
  public:
   /// Whether the key belonged to command mode, and the function to run because of it. Alt F1...F5
   /// do nothing while the function keys are off, as in the paper; the letters always work.
-  struct Outcome {
+  struct KeyResult {
     bool is_taken = false;
     std::optional<FunctionCall> call;
   };
-  Outcome press(const ModeKey& key, const std::optional<Display>& display);
+  KeyResult press(const ModeKey& key, const std::optional<Display>& display);
 
   bool is_menu_open() const { return is_menu_open_; }
   /// The current question to the user, with the input so far; empty if there is none.
   std::string prompt() const;
 
  private:
-  Outcome press_in_prompt(const ModeKey& key);
+  KeyResult press_in_prompt(const ModeKey& key);
 
   bool is_menu_open_ = false;
   std::optional<std::size_t> asked_;  ///< index of the function whose value is being typed

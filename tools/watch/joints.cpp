@@ -18,20 +18,20 @@ constexpr char32_t eighths_block(int eighths) {
 }
 
 /// An axis with its limits, if they are known.
-struct Row {
+struct JointRow {
   const Axis& axis;
-  std::optional<Limits> limits;
+  std::optional<VariableRange> limits;
 };
 
 /// A column of the table. If room is short, the columns with the highest `rank` are dropped first;
 /// rank 0 is never dropped.
-struct Column {
-  enum class Kind : std::uint8_t { kLeft, kRight, kBar };
+struct JointColumn {
+  enum class Alignment : std::uint8_t { kLeft, kRight, kBar };
   std::string name;
   int width;
-  Kind kind;
+  Alignment kind;
   int rank;
-  std::function<std::string(const Row&)> text;
+  std::function<std::string(const JointRow&)> text;
 };
 
 /// Pads "mm" to the width of "deg", so that decimal points line up.
@@ -44,42 +44,47 @@ std::string state_text(const Axis& axis) {
   return axis.is_moving ? "moves" : "rests";
 }
 
-std::vector<Column> all_columns() {
-  using Kind = Column::Kind;
-  const auto limit = [](double Limits::*end) {
-    return [end](const Row& row) { return row.limits ? plain_number((*row.limits).*end, 1) : ""; };
+std::vector<JointColumn> all_columns() {
+  using Alignment = JointColumn::Alignment;
+  const auto limit = [](double VariableRange::*end) {
+    return [end](const JointRow& row) {
+      return row.limits ? plain_number((*row.limits).*end, 1) : "";
+    };
   };
   return {
-      {"", 1, Kind::kLeft, 0, [](const Row& row) { return row.axis.label; }},
-      {"from", 7, Kind::kRight, 8, limit(&Limits::min)},
-      {"", kMinBarLength, Kind::kBar, 4, {}},
-      {"to", 7, Kind::kLeft, 8, limit(&Limits::max)},
-      {"value", 13, Kind::kRight, 0, [](const Row& row) { return value_text(row.axis); }},
-      {"count", 7, Kind::kRight, 1, [](const Row& row) { return std::to_string(row.axis.count); }},
-      {"error", 5, Kind::kRight, 3, [](const Row& row) { return std::to_string(row.axis.error); }},
-      {"speed", 5, Kind::kRight, 6, [](const Row& row) { return std::to_string(row.axis.speed); }},
-      {"switch", 6, Kind::kLeft, 5,
-       [](const Row& row) { return row.axis.is_closed ? "closed" : "open"; }},
-      {"", 5, Kind::kLeft, 2, [](const Row& row) { return state_text(row.axis); }}};
+      {"", 1, Alignment::kLeft, 0, [](const JointRow& row) { return row.axis.label; }},
+      {"from", 7, Alignment::kRight, 8, limit(&VariableRange::min)},
+      {"", kMinBarLength, Alignment::kBar, 4, {}},
+      {"to", 7, Alignment::kLeft, 8, limit(&VariableRange::max)},
+      {"value", 13, Alignment::kRight, 0, [](const JointRow& row) { return value_text(row.axis); }},
+      {"count", 7, Alignment::kRight, 1,
+       [](const JointRow& row) { return std::to_string(row.axis.count); }},
+      {"error", 5, Alignment::kRight, 3,
+       [](const JointRow& row) { return std::to_string(row.axis.error); }},
+      {"speed", 5, Alignment::kRight, 6,
+       [](const JointRow& row) { return std::to_string(row.axis.speed); }},
+      {"switch", 6, Alignment::kLeft, 5,
+       [](const JointRow& row) { return row.axis.is_closed ? "closed" : "open"; }},
+      {"", 5, Alignment::kLeft, 2, [](const JointRow& row) { return state_text(row.axis); }}};
 }
 
 /// Total width of the columns, with one blank between neighbours.
-int width_of(const std::vector<Column>& columns) {
+int width_of(const std::vector<JointColumn>& columns) {
   int width = -1;
-  for (const Column& column : columns) width += column.width + 1;
+  for (const JointColumn& column : columns) width += column.width + 1;
   return width;
 }
 
 /// The columns that fit into `width`; the bar takes the remaining room.
-std::vector<Column> fitting_columns(int width) {
-  std::vector<Column> columns = all_columns();
+std::vector<JointColumn> fitting_columns(int width) {
+  std::vector<JointColumn> columns = all_columns();
   while (width_of(columns) > width) {
-    const int rank = std::ranges::max_element(columns, {}, &Column::rank)->rank;
+    const int rank = std::ranges::max_element(columns, {}, &JointColumn::rank)->rank;
     if (rank == 0) break;
-    std::erase_if(columns, [rank](const Column& column) { return column.rank == rank; });
+    std::erase_if(columns, [rank](const JointColumn& column) { return column.rank == rank; });
   }
-  for (Column& column : columns) {
-    if (column.kind != Column::Kind::kBar) continue;
+  for (JointColumn& column : columns) {
+    if (column.kind != JointColumn::Alignment::kBar) continue;
     column.width =
         std::clamp(kMinBarLength + width - width_of(columns), kMinBarLength, kMaxBarLength);
   }
@@ -92,13 +97,13 @@ TextStyle style_of(const Axis& axis) {
 }
 
 /// Length of the filled part of the bar, in eighths of a column.
-int filled_eighths(double value, const Limits& limits, int columns) {
+int filled_eighths(double value, const VariableRange& limits, int columns) {
   const double span = limits.max - limits.min;
   const double part = span > 0 ? (value - limits.min) / span : 0;
   return static_cast<int>(std::lround(std::clamp(part, 0.0, 1.0) * columns * kEighths));
 }
 
-void paint_bar(TextScreen& screen, int at, int from, int columns, const Row& row) {
+void paint_bar(TextScreen& screen, int at, int from, int columns, const JointRow& row) {
   const int eighths = row.limits ? filled_eighths(row.axis.value, *row.limits, columns) : 0;
   for (int i = 0; i < columns; ++i) {
     const int here = std::clamp(eighths - i * kEighths, 0, kEighths);
@@ -110,19 +115,19 @@ void paint_bar(TextScreen& screen, int at, int from, int columns, const Row& row
   }
 }
 
-std::string aligned(const std::string& text, const Column& column) {
+std::string aligned(const std::string& text, const JointColumn& column) {
   const std::size_t letters = one_column_letters(text).size();
   const auto width = static_cast<std::size_t>(column.width);
-  if (column.kind != Column::Kind::kRight || letters >= width) return text;
+  if (column.kind != JointColumn::Alignment::kRight || letters >= width) return text;
   return std::string(width - letters, ' ') + text;
 }
 
 /// Paints the row of an axis; the heading if that is nullptr.
-void paint_row(TextScreen& screen, int at, int from, const std::vector<Column>& columns,
-               const Row* row) {
+void paint_row(TextScreen& screen, int at, int from, const std::vector<JointColumn>& columns,
+               const JointRow* row) {
   const TextStyle style = row == nullptr ? TextStyle::kFaint : style_of(row->axis);
-  for (const Column& column : columns) {
-    if (row != nullptr && column.kind == Column::Kind::kBar) {
+  for (const JointColumn& column : columns) {
+    if (row != nullptr && column.kind == JointColumn::Alignment::kBar) {
       paint_bar(screen, at, from, column.width, *row);
     } else {
       const std::string text = row == nullptr ? column.name : column.text(*row);
@@ -136,16 +141,17 @@ void paint_row(TextScreen& screen, int at, int from, const std::vector<Column>& 
 
 void paint_joints(TextScreen& screen, const TextArea& area, const Known& known,
                   const WatchedState& state) {
-  std::vector<Row> rows;
+  std::vector<JointRow> rows;
   const auto add = [&](const Axis& axis) {
     const auto found = known.limits.find(axis.label);
-    rows.push_back(
-        {axis, found == known.limits.end() ? std::nullopt : std::optional<Limits>(found->second)});
+    rows.push_back({axis, found == known.limits.end()
+                              ? std::nullopt
+                              : std::optional<VariableRange>(found->second)});
   };
   for (const Axis& joint : state.joints) add(joint);
   add(state.tool.axis);
 
-  const std::vector<Column> columns = fitting_columns(area.columns);
+  const std::vector<JointColumn> columns = fitting_columns(area.columns);
   const int end = area.row + area.rows;
   int at = area.row;
   if (area.rows > static_cast<int>(rows.size())) {

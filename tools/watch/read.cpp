@@ -144,7 +144,7 @@ void read_clock(const Json& clock, Known& known) {
   read(clock, "rate", known.rate);
 }
 
-void read_limits(const Json& drive, std::map<std::string, Limits>& limits) {
+void read_limits(const Json& drive, std::map<std::string, VariableRange>& limits) {
   const Json& range = member(drive, "limits");
   if (!range.is_array() || range.size() != 2) return;
   if (!range[0].is_number() || !range[1].is_number()) return;

@@ -30,7 +30,7 @@ Display read_display(const Json& message);
 /// Reads the member `clock` of `state` and `hello`.
 void read_clock(const Json& clock, Known& known);
 /// Reads label and limits of a joint or the tool, in the form of a robot file.
-void read_limits(const Json& drive, std::map<std::string, Limits>& limits);
+void read_limits(const Json& drive, std::map<std::string, VariableRange>& limits);
 /// Reads an `image` message of either encoding; nullopt if it is inconsistent.
 std::optional<WatchedImage> read_image(const Json& message);
 

@@ -13,7 +13,7 @@
 namespace xr3::watch {
 
 /// Range of a joint's or the tool's variable, degrees or mm.
-struct Limits {
+struct VariableRange {
   double min = 0;
   double max = 0;
 };
@@ -127,7 +127,7 @@ struct Known {
   std::int64_t tick_hz = 1000;
   WatchedClockMode mode = WatchedClockMode::kReal;
   double rate = 1;
-  std::map<std::string, Limits> limits;  ///< by label; empty before the model arrives
+  std::map<std::string, VariableRange> limits;  ///< by label; empty before the model arrives
   std::optional<WatchedState> state;
   std::optional<Display> display;
   /// Nullopt if there is no camera, or no image was received yet.

@@ -118,9 +118,9 @@ WorkcellDialogue::Steps WorkcellDialogue::joined(const std::vector<Steps>& parts
 
 // The menu.
 
-const std::vector<WorkcellDialogue::Command>& WorkcellDialogue::commands() {
+const std::vector<WorkcellDialogue::DialogueCommand>& WorkcellDialogue::commands() {
   using Self = WorkcellDialogue;
-  static const std::vector<Command> table = {
+  static const std::vector<DialogueCommand> table = {
       {"help", [](Self& self) { self.say(kMenuHelp); }},
       {"list", [](Self& self) { self.say(workcell_summary(self.workcell_)); }},
       {"view", &Self::view},
@@ -156,11 +156,11 @@ std::string WorkcellDialogue::run_command(const std::string& line) {
   const std::size_t end = std::min(line.find_first_of(" \t"), line.size());
   const std::string argument(dialogue::trimmed(std::string_view(line).substr(end)));
   std::vector<std::string> names;
-  for (const Command& command : commands()) names.push_back(command.name);
+  for (const DialogueCommand& command : commands()) names.push_back(command.name);
   const std::vector<std::string> like = dialogue::words_like(line.substr(0, end), names);
   if (like.empty()) return "Unknown command; ? shows the commands.";
   if (like.size() > 1) return "Which one: " + like[0] + " or " + like[1] + "?";
-  const auto command = std::ranges::find(commands(), like[0], &Command::name);
+  const auto command = std::ranges::find(commands(), like[0], &DialogueCommand::name);
   if (command->needs_block) {
     const auto index = block_named(argument);
     if (!index) return like[0] + " which block? Give its name or its letter; view shows them.";

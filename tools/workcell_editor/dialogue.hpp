@@ -71,12 +71,12 @@ class WorkcellDialogue {
   using Step = std::function<Question()>;
   using Steps = std::deque<Step>;
 
-  struct Command {
+  struct DialogueCommand {
     std::string name;
     std::function<void(WorkcellDialogue&)> action;
     bool needs_block = false;
   };
-  static const std::vector<Command>& commands();
+  static const std::vector<DialogueCommand>& commands();
 
   void say(const std::string& text);
   void answer(std::string_view line);

@@ -59,14 +59,14 @@ const DataLine* PaperReader::next_line(const std::string& title, const std::stri
   return &line;
 }
 
-bool PaperReader::matches(const Row& row, const DataLine& line) const {
+bool PaperReader::matches(const DataRow& row, const DataLine& line) const {
   if (line.items.size() != row.cells.size()) return false;
   return row.cells.size() > 1 || row.cells[0].is_label == looks_like_label(line.items[0]);
 }
 
 /// Reports an invalid line. A missing or additional line shifts all that follow: after two invalid
 /// lines in a row, reading ends.
-void PaperReader::report_mismatch(const Row& row, const std::string& pointer,
+void PaperReader::report_mismatch(const DataRow& row, const std::string& pointer,
                                   const DataLine& line) {
   is_lost_ = is_after_mismatch_;
   is_after_mismatch_ = true;
@@ -74,7 +74,7 @@ void PaperReader::report_mismatch(const Row& row, const std::string& pointer,
          item_count(row.cells.size()) + ": " + row.title + (is_lost_ ? kRestUnread : ""));
 }
 
-bool PaperReader::row(const Row& row, const std::string& part) {
+bool PaperReader::row(const DataRow& row, const std::string& part) {
   const std::string pointer = part + row.member;
   const DataLine* line = next_line(row.title, pointer);
   if (line == nullptr) return false;
@@ -104,7 +104,7 @@ void PaperReader::put(const PaperCell& cell, const std::string& part, const std:
 
 std::size_t PaperReader::count(const std::string& title, const std::string& list, std::size_t most,
                                std::size_t least) {
-  const Row number{title, {PaperCell{list}}, list};
+  const DataRow number{title, {PaperCell{list}}, list};
   if (row(number, "")) return count_at(list, list, most, least);
   if (!is_lost_) findings_.back().allowed += kRestUnread;
   is_lost_ = true;

@@ -25,7 +25,7 @@ struct PaperCell {
 };
 
 /// One line of data and the comment above it.
-struct Row {
+struct DataRow {
   std::string title;
   std::vector<PaperCell> cells;
   std::string member{};  ///< member of the row, such as "/limits"; empty if it is the part itself
@@ -48,7 +48,7 @@ class PaperReader {
   void close();
 
   /// Reads the next line into a part. Returns false if it does not fit or reading has ended.
-  bool row(const Row& row, const std::string& part);
+  bool row(const DataRow& row, const std::string& part);
   /// Reads a line with a number of parts and makes a list with that many empty elements. Returns
   /// the number. Without a valid number it returns 0 and reading ends, as the rest cannot be
   /// interpreted.
@@ -91,8 +91,8 @@ class PaperReader {
   };
 
   const DataLine* next_line(const std::string& title, const std::string& pointer);
-  bool matches(const Row& row, const DataLine& line) const;
-  void report_mismatch(const Row& row, const std::string& pointer, const DataLine& line);
+  bool matches(const DataRow& row, const DataLine& line) const;
+  void report_mismatch(const DataRow& row, const std::string& pointer, const DataLine& line);
   void put(const PaperCell& cell, const std::string& part, const std::string& item, int line);
   void apply_additions(const std::vector<Addition>& additions);
   void apply(const Addition& addition);

@@ -51,16 +51,17 @@ const Extras kToolExtras = {{"home", "/home"},
                             {"switch_period", "/switch/period"}};
 const Extras kPartExtras = {{"pivot", "/pivot"}};
 
-const Row kPrecision{"precision, degrees or length a count", {{"/precision"}}, "/precision"};
-const Row kLimits{"limits, degrees or length: min max", {{"/limits/0"}, {"/limits/1"}}, "/limits"};
-const Row kSpeed{"speed, counts a second", {{"/speed"}}, "/speed"};
-const Row kPosition{"microswitch position, counts", {{"/switch/position"}}, "/switch/position"};
-const Row kMask{"microswitch mask", {{"/switch/mask"}}, "/switch/mask"};
-const Row kDirection{"direction, 1 or -1", {{"/direction"}}, "/direction"};
-const Row kLabel{"label", {{"/label", {}, true}}, "/label"};
+const DataRow kPrecision{"precision, degrees or length a count", {{"/precision"}}, "/precision"};
+const DataRow kLimits{
+    "limits, degrees or length: min max", {{"/limits/0"}, {"/limits/1"}}, "/limits"};
+const DataRow kSpeed{"speed, counts a second", {{"/speed"}}, "/speed"};
+const DataRow kPosition{"microswitch position, counts", {{"/switch/position"}}, "/switch/position"};
+const DataRow kMask{"microswitch mask", {{"/switch/mask"}}, "/switch/mask"};
+const DataRow kDirection{"direction, 1 or -1", {{"/direction"}}, "/direction"};
+const DataRow kLabel{"label", {{"/label", {}, true}}, "/label"};
 
 /// The rows of Table II, from top to bottom.
-const std::vector<Row> kJointRows = {
+const std::vector<DataRow> kJointRows = {
     {"joint angle theta, degrees", {{"/theta_deg"}}, "/theta_deg"},
     {"joint distance d, length", {{"/d"}}, "/d"},
     {"link length a, length", {{"/a"}}, "/a"},
@@ -74,22 +75,23 @@ const std::vector<Row> kJointRows = {
     kDirection,
     kLabel};
 
-const std::vector<Row> kToolRows = {{"tool type, 1 parallel or 2 angular jaws",
-                                     {{"/kind", {{1, "parallel"}, {2, "angular"}}}},
-                                     "/kind"},
-                                    kPrecision,
-                                    kSpeed,
-                                    kLimits,
-                                    kPosition,
-                                    kMask,
-                                    kLabel};
+const std::vector<DataRow> kToolRows = {{"tool type, 1 parallel or 2 angular jaws",
+                                         {{"/kind", {{1, "parallel"}, {2, "angular"}}}},
+                                         "/kind"},
+                                        kPrecision,
+                                        kSpeed,
+                                        kLimits,
+                                        kPosition,
+                                        kMask,
+                                        kLabel};
 
-const Row kPartRow{"side 1 or -1, colour, number of points", {{"/side"}, {"/color"}, {"/points"}}};
-const Row kLinkRow{"colour, number of points", {{"/color"}, {"/points"}}};
-const Row kPointRow{"command 1 move or 0 draw, x, y, z",
-                    {{"/0", {{1, "move"}, {0, "draw"}}}, {"/1"}, {"/2"}, {"/3"}}};
-const Row kPairRow{"joint and the joint coupled to it, negative if against", {{"/0"}, {"/1"}}};
-const Row kRegionRow{"protected region: height, radius", {{"/height"}, {"/radius"}}};
+const DataRow kPartRow{"side 1 or -1, colour, number of points",
+                       {{"/side"}, {"/color"}, {"/points"}}};
+const DataRow kLinkRow{"colour, number of points", {{"/color"}, {"/points"}}};
+const DataRow kPointRow{"command 1 move or 0 draw, x, y, z",
+                        {{"/0", {{1, "move"}, {0, "draw"}}}, {"/1"}, {"/2"}, {"/3"}}};
+const DataRow kPairRow{"joint and the joint coupled to it, negative if against", {{"/0"}, {"/1"}}};
+const DataRow kRegionRow{"protected region: height, radius", {{"/height"}, {"/radius"}}};
 
 constexpr const char* kAxesTitle = "number of axes";
 constexpr const char* kPartsTitle = "number of moving parts of the tool";
@@ -103,8 +105,8 @@ std::string element(const std::string& list, std::size_t index) {
 
 // Reading.
 
-void read_rows(PaperReader& reader, const std::vector<Row>& rows, const std::string& part) {
-  for (const Row& row : rows) reader.row(row, part);
+void read_rows(PaperReader& reader, const std::vector<DataRow>& rows, const std::string& part) {
+  for (const DataRow& row : rows) reader.row(row, part);
 }
 
 void read_joints(PaperReader& reader) {
@@ -125,8 +127,8 @@ void read_points(PaperReader& reader, const std::string& outline) {
 }
 
 /// Reads a table of outlines: the tool's moving parts or the links.
-void read_outlines(PaperReader& reader, const std::string& list, std::size_t count, const Row& row,
-                   const Extras& extras) {
+void read_outlines(PaperReader& reader, const std::string& list, std::size_t count,
+                   const DataRow& row, const Extras& extras) {
   for (std::size_t i = 0; i < count; ++i) {
     const std::string outline = element(list, i);
     reader.open(outline, extras);
@@ -213,7 +215,7 @@ void write_points(PaperWriter& writer, const Json& points) {
 }
 
 void write_outlines(PaperWriter& writer, const std::string& title, const Json& outlines,
-                    const Row& row, const Extras& extras, int first) {
+                    const DataRow& row, const Extras& extras, int first) {
   for (std::size_t i = 0; i < outlines.size(); ++i) {
     Json counted = outlines[i];
     counted["points"] = counted["points"].size();
@@ -224,8 +226,8 @@ void write_outlines(PaperWriter& writer, const std::string& title, const Json& o
   }
 }
 
-void write_rows(PaperWriter& writer, const std::vector<Row>& rows, const Json& part) {
-  for (const Row& row : rows) writer.row(row, part);
+void write_rows(PaperWriter& writer, const std::vector<DataRow>& rows, const Json& part) {
+  for (const DataRow& row : rows) writer.row(row, part);
 }
 
 void write_joints(PaperWriter& writer, const Json& joints) {
@@ -250,7 +252,7 @@ void write_general(PaperWriter& writer, const Json& robot) {
   writer.number(kPairsTitle, robot["coupling"].size());
   for (const Json& pair : robot["coupling"]) writer.row(kPairRow, pair);
   writer.row(kRegionRow, robot["protected_region"]);
-  Row roll{kRollTitle, {}};
+  DataRow roll{kRollTitle, {}};
   Json joints = robot["net_roll"];
   if (joints.empty()) joints.push_back(0);
   for (std::size_t i = 0; i < joints.size(); ++i) roll.cells.push_back({"/" + std::to_string(i)});

@@ -22,16 +22,17 @@ const Extras kWorkcellExtras = {{"name", "/name"},
 const Extras kBlockExtras = {{"block", "/name"}, {"color", "/color"}};
 const Extras kCameraExtras = {{"projection", "/projection"}};
 
-const Row kWorkspaceRow{"workspace: X Y Z", {{"/x"}, {"/y"}, {"/z"}}};
-const Row kBlockRow{"block: length, width, height, x, y, z of its middle, orientation in degrees",
-                    {{"/size/0"},
-                     {"/size/1"},
-                     {"/size/2"},
-                     {"/centroid/0"},
-                     {"/centroid/1"},
-                     {"/centroid/2"},
-                     {"/yaw_deg"}}};
-const std::vector<Row> kCameraRows = {
+const DataRow kWorkspaceRow{"workspace: X Y Z", {{"/x"}, {"/y"}, {"/z"}}};
+const DataRow kBlockRow{
+    "block: length, width, height, x, y, z of its middle, orientation in degrees",
+    {{"/size/0"},
+     {"/size/1"},
+     {"/size/2"},
+     {"/centroid/0"},
+     {"/centroid/1"},
+     {"/centroid/2"},
+     {"/yaw_deg"}}};
+const std::vector<DataRow> kCameraRows = {
     {"camera location: x y z", {{"/location/0"}, {"/location/1"}, {"/location/2"}}, "/location"},
     {"camera's field of view: length (x), width (y)", {{"/field/0"}, {"/field/1"}}, "/field"},
     {"camera's pixels: columns (x), rows (y)", {{"/pixels/0"}, {"/pixels/1"}}, "/pixels"}};
@@ -55,7 +56,7 @@ void read_blocks(PaperReader& reader) {
 void read_camera(PaperReader& reader) {
   if (!reader.has_more()) return;
   reader.open("/camera", kCameraExtras);
-  for (const Row& row : kCameraRows) reader.row(row, "/camera");
+  for (const DataRow& row : kCameraRows) reader.row(row, "/camera");
   reader.close();
 }
 
@@ -92,7 +93,7 @@ std::string workcell_to_paper_form(const Workcell& workcell) {
   write_blocks(writer, json["blocks"]);
   if (json.contains("camera")) {
     writer.extras(kCameraExtras, json["camera"]);
-    for (const Row& row : kCameraRows) writer.row(row, json["camera"]);
+    for (const DataRow& row : kCameraRows) writer.row(row, json["camera"]);
   }
   return writer.take();
 }

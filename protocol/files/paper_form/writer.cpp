@@ -27,12 +27,12 @@ void PaperWriter::extras(const Extras& extras, const Json& part) {
   if (!members.empty()) text_ += "*+ " + members + "\n";
 }
 
-void PaperWriter::row(const Row& row, const Json& part) {
+void PaperWriter::row(const DataRow& row, const Json& part) {
   comment(row.title);
   line(row, part);
 }
 
-void PaperWriter::line(const Row& row, const Json& part) {
+void PaperWriter::line(const DataRow& row, const Json& part) {
   std::string items;
   for (const PaperCell& cell : row.cells) {
     if (!items.empty()) items += " ";

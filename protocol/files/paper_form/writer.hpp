@@ -16,9 +16,9 @@ class PaperWriter {
   /// A `*+` line with the members that the part has; nothing if it has none.
   void extras(const Extras& extras, const Json& part);
   /// The row's title as a comment, then its line.
-  void row(const Row& row, const Json& part);
+  void row(const DataRow& row, const Json& part);
   /// Only the line: for all rows of a table except the first.
-  void line(const Row& row, const Json& part);
+  void line(const DataRow& row, const Json& part);
   /// The title as a comment, then a line with one number.
   void number(std::string_view title, std::size_t number);
 

@@ -22,7 +22,7 @@ const std::vector<std::pair<std::string, Command>>& key_functions() {
 }
 
 /// Reads the value of a function into its command.
-struct KeyReader {
+struct KeyArguments {
   ArgsReader& args;
 
   Command operator()(const SetViewVector&) const {
@@ -52,7 +52,7 @@ CallValue read_key(ArgsReader& args) {
            "of view: [x, y, z], whole numbers -9...9, not all 0; of status: 0...6; of period: "
            "1...255 half seconds; of the others: nothing");
   if (!chosen) return call::Key{ToggleDisplay{}};
-  return call::Key{std::visit(KeyReader{args}, *chosen)};
+  return call::Key{std::visit(KeyArguments{args}, *chosen)};
 }
 
 /// The value of a function; JSON null if it has none.

@@ -275,7 +275,7 @@ TEST(History, TheLargestDropsItsOldestCheckpoints) {
   const std::size_t before = kept.history.parts();
   ASSERT_GT(before, 10U);
   ASSERT_GT(kept.budget.used_bytes(), kSmall * 3 / 4);
-  struct Other : monitor::ByteBudget::Member {
+  struct Other : monitor::ByteBudget::Account {
     std::size_t bytes() const override { return 0; }
     void shrink() override {}
   } other;

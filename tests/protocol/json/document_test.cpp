@@ -72,7 +72,7 @@ TEST(JsonDocument, HasTheValuesOfTheText) {
   for (const std::string& text : texts()) {
     SCOPED_TRACE(text);
     const JsonDocument document(text);
-    ASSERT_EQ(document.fault(), JsonDocument::Fault::kNone);
+    ASSERT_EQ(document.fault(), JsonDocument::SyntaxFault::kNone);
     expect_same(document.root(), Json::parse(text));
   }
 }
@@ -128,7 +128,7 @@ TEST(JsonDocument, AcceptsTheSameTextsAsTheParser) {
   for (int i = 0; i < 20'000; ++i) {
     const std::string text = mutated(texts()[random() % texts().size()], random);
     const JsonDocument document(text);
-    const bool is_good = document.fault() == JsonDocument::Fault::kNone;
+    const bool is_good = document.fault() == JsonDocument::SyntaxFault::kNone;
     ASSERT_EQ(is_good, Json::accept(text)) << text;
     if (!is_good) {
       const Finding finding = fault_finding(document, "f");
@@ -186,12 +186,12 @@ TEST(JsonDocument, StopsCountingAtTheLimit) {
 
 TEST(JsonDocument, ReportsErrors) {
   const JsonDocument broken("{\"a\":}");
-  EXPECT_EQ(broken.fault(), JsonDocument::Fault::kSyntax);
+  EXPECT_EQ(broken.fault(), JsonDocument::SyntaxFault::kSyntax);
   EXPECT_EQ(broken.complaint().position, 6U);
   EXPECT_FALSE(broken.root());
   const std::string lists = "{\"a\":" + std::string(40, '[');
   const JsonDocument deep(lists);
-  EXPECT_EQ(deep.fault(), JsonDocument::Fault::kTooDeep);
+  EXPECT_EQ(deep.fault(), JsonDocument::SyntaxFault::kTooDeep);
 }
 
 // --- Reading.

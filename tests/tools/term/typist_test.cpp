@@ -26,7 +26,7 @@ struct Recorder {
 Typed type(Typist& typist, std::string_view keys) {
   Typed typed;
   for (const Keystroke& key : KeyReader().feed(keys)) {
-    const Typist::Outcome outcome = typist.press(key);
+    const Typist::TypingResult outcome = typist.press(key);
     typed.shown += outcome.echo;
     for (const UserRequest& request : outcome.requests) std::visit(Recorder{typed}, request);
   }

@@ -72,7 +72,7 @@ TEST(CommandMode, FunctionKeysCanBeOff) {
   CommandMode mode;
   Display off;
   off.has_function_keys = false;
-  const CommandMode::Outcome home = mode.press(alt(3), off);
+  const CommandMode::KeyResult home = mode.press(alt(3), off);
   EXPECT_TRUE(home.is_taken);
   EXPECT_FALSE(home.call);
   EXPECT_TRUE(mode.press(alt(6), off).call);
