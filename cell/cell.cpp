@@ -37,11 +37,11 @@ Cell::Cell(std::string name, ModelPtr model, SimClock clock, CellEventSink sink,
 }
 
 Applied Cell::apply(const Input& input, WallNs now) {
-  return vital("the cell", [&] { return take_in(input, now); });
+  return fatal_if_throws("the cell", [&] { return take_in(input, now); });
 }
 
 void Cell::catch_up(WallNs now) {
-  vital("the cell", [&] { advance(now); });
+  fatal_if_throws("the cell", [&] { advance(now); });
 }
 
 Applied Cell::take_in(const Input& input, WallNs now) {
@@ -87,7 +87,7 @@ void Cell::begin_replay() {
 
 void Cell::replay_to(Tick tick) {
   assert(is_replayed_);
-  vital("the cell", [&] {
+  fatal_if_throws("the cell", [&] {
     pass_time(std::min(tick, monitor::kMaxInteger), kEveryByte);
     clock_.set_tick(state().tick, 0);
   });
@@ -216,7 +216,7 @@ void Cell::record_out(const WirePlace& out, const SerialLine& line, std::size_t 
 }
 
 void Cell::sent(const BytesOut& out) {
-  vital("the cell", [&] {
+  fatal_if_throws("the cell", [&] {
     SerialLine* line = open_line(out.line);
     if (line == nullptr) return;
     for (InputLog* log : logs_) log->sent(*this, out);

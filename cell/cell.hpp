@@ -104,7 +104,7 @@ class Cell final : private LineListener {
 
   /// Advances time to `now`, then applies the input. No time passes if `now` is earlier than that
   /// of the input before. A call that needs the manual clock is refused with `clock_running` if the
-  /// clock is real. Throws only VitalFailure; the input may then be half applied.
+  /// clock is real. Throws only FatalFailure; the input may then be half applied.
   Applied apply(const Input& input, WallNs now);
 
   /// Removes bytes that the transport has sent from the line's outbox. It needs no time, and works

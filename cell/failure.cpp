@@ -4,7 +4,7 @@
 
 namespace xr3 {
 
-VitalFailure::VitalFailure(std::string_view where, std::string_view what) noexcept {
+FatalFailure::FatalFailure(std::string_view where, std::string_view what) noexcept {
   char* const last = text_.data() + kMaxBytes - 1;  // stays 0
   char* end = text_.data();
   for (const std::string_view part : {where, std::string_view(": "), what}) {
@@ -13,13 +13,13 @@ VitalFailure::VitalFailure(std::string_view where, std::string_view what) noexce
   }
 }
 
-void fail_vitally(const char* where, const std::exception_ptr& failure) {
+void fail_fatally(const char* where, const std::exception_ptr& failure) {
   try {
     std::rethrow_exception(failure);
   } catch (const std::exception& error) {
-    throw VitalFailure(where, error.what());
+    throw FatalFailure(where, error.what());
   } catch (...) {
-    throw VitalFailure(where, "an exception of unknown type");
+    throw FatalFailure(where, "an exception of unknown type");
   }
 }
 

@@ -10,10 +10,10 @@
 namespace xr3 {
 
 /// An exception that no connection may ignore. It does not allocate, since memory may be exhausted.
-class VitalFailure : public std::exception {
+class FatalFailure : public std::exception {
  public:
   /// `what` is cut to kMaxBytes.
-  VitalFailure(std::string_view where, std::string_view what) noexcept;
+  FatalFailure(std::string_view where, std::string_view what) noexcept;
   const char* what() const noexcept override { return text_.data(); }
   static constexpr std::size_t kMaxBytes = 256;
 
@@ -21,18 +21,18 @@ class VitalFailure : public std::exception {
   std::array<char, kMaxBytes> text_{};
 };
 
-/// Rethrows `failure` as a VitalFailure whose text begins with `where`.
-[[noreturn]] void fail_vitally(const char* where, const std::exception_ptr& failure);
+/// Rethrows `failure` as a FatalFailure whose text begins with `where`.
+[[noreturn]] void fail_fatally(const char* where, const std::exception_ptr& failure);
 
-/// Runs work on shared objects. Any exception from it becomes a VitalFailure.
+/// Runs work on shared objects. Any exception from it becomes a FatalFailure.
 template <class Work>
-decltype(auto) vital(const char* where, const Work& work) {
+decltype(auto) fatal_if_throws(const char* where, const Work& work) {
   try {
     return work();
-  } catch (const VitalFailure&) {
+  } catch (const FatalFailure&) {
     throw;
   } catch (...) {
-    fail_vitally(where, std::current_exception());
+    fail_fatally(where, std::current_exception());
   }
 }
 

@@ -55,7 +55,7 @@ FrameCache::ChannelCache& FrameCache::cache_of(Channel channel) {
 }
 
 const monitor::Frame* FrameCache::frame(const monitor::Selection& selection) {
-  return vital("the frames", [&]() -> const monitor::Frame* {
+  return fatal_if_throws("the frames", [&]() -> const monitor::Frame* {
     ChannelCache& cache = cache_of(selection.channel);
     if (cache.revision != cell_.revision()) update(selection.channel, cache);
     if (selection.channel == Channel::kImage && !cache.image) return nullptr;

@@ -45,9 +45,9 @@ void LinePace::add_reply(std::string_view reply, const wire::Meaning& meaning, M
 }
 
 void LinePace::add_end(std::size_t bytes, const wire::Meaning& meaning) {
-  constexpr std::size_t kMost = ReplyHold::kMaxItems;
-  if (ends_.size() < kMost) return ends_.push_back({bytes, meaning});
-  if (ends_.size() == kMost) ends_.push_back({0, wire::MoreAnswers{0}});
+  constexpr std::size_t kMax = ReplyHold::kMaxItems;
+  if (ends_.size() < kMax) return ends_.push_back({bytes, meaning});
+  if (ends_.size() == kMax) ends_.push_back({0, wire::MoreAnswers{0}});
   ReplyEnd& rest = ends_.back();
   ++std::get<wire::MoreAnswers>(rest.meaning).count;
   rest.bytes += bytes;

@@ -141,7 +141,7 @@ App::App(const ServeOptions& options, std::vector<CellSeed> seeds, std::string t
       memory_(io_, options.max_memory_mib << 20, [this] { return close_greediest(); }),
       rings_((options.max_memory_mib << 20) / kRingsPart),
       histories_(std::min(kHistoryBytes, (options.max_memory_mib << 20) / kRingsPart)),
-      context_{io_,     turns_,     worker_, [this](HostedCell& cell) { acted(cell); },
+      context_{io_,     turns_,     worker_, [this](HostedCell& cell) { after_input(cell); },
                &rings_, &histories_},
       monitor_port_(
           io_, cells_, worker_, policy_, [this] { return not_ready(); }, [this] { ended(); },
@@ -303,8 +303,8 @@ void App::await_signal() {
   });
 }
 
-void App::acted(HostedCell& cell) {
-  stage_ == Stage::kDraining ? ended() : monitor_port_.service().acted(cell);
+void App::after_input(HostedCell& cell) {
+  stage_ == Stage::kDraining ? ended() : monitor_port_.service().changed(cell);
 }
 
 /// Continues a shutdown after a line or a connection may have ended.

@@ -100,7 +100,7 @@ class App {
   void listen_on_cell(HostedCell& cell, std::uint16_t port);
   ServedPorts served_ports() const;
   void count_more(CellCounters& counters) const;
-  void acted(HostedCell& cell);
+  void after_input(HostedCell& cell);
   void ended();
   bool has_no_clients() const;
   std::size_t close_greediest();

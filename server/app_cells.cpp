@@ -134,7 +134,7 @@ CellPtr App::open_for_connection(const std::string& name) {
   record_connection(*cell);
   keep_history(*cell);
   cell->cell().report_opened();
-  cell->acted();
+  cell->after_input();
   return cell;
 }
 
@@ -180,7 +180,7 @@ std::variant<CellPtr, call::Refused> App::open_branch(HostedCell& of, MachineSna
   cells_.add(cell);
   branch_cells_.add(cell, origin);
   cell->cell().report_opened();
-  cell->acted();
+  cell->after_input();
   return cell;
 }
 

@@ -50,7 +50,7 @@ class LogSink final : public spdlog::sinks::base_sink<spdlog::details::null_mute
   void sink_it_(const spdlog::details::log_msg& message) override {
     const WallNs now = wall_now();
     if (message.level != spdlog::level::critical && !budget_.admit(now)) return;
-    if (const std::uint64_t count = budget_.take_dropped(now); count > 0)
+    if (const std::uint64_t count = budget_.drain_dropped(now); count > 0)
       write(spdlog::level::warn, fmt::format("suppressed {} messages", count));
     write(message.level, printable_line({message.payload.data(), message.payload.size()}));
   }
@@ -64,7 +64,7 @@ class LogSink final : public spdlog::sinks::base_sink<spdlog::details::null_mute
     file_ ? file_->write(formatted) : write_to_standard_error(formatted);
   }
 
-  std::optional<LogFile> file_;  ///< nullopt: standard error
+  std::optional<LogFile> file_;  ///< nullopt for standard error
   LogBudget budget_{wall_now()};
 };
 

@@ -22,15 +22,15 @@ void start_log(const std::string& level, const std::string& file);
 
 /// Names that messages about a cell contain.
 struct LogNames {
-  std::string_view cell;  ///< its name; empty: it is the only one
-  std::string_view page;  ///< the address of the page on the monitor port; empty: there is none
+  std::string_view cell;  ///< name of the cell; empty if it is the only one
+  std::string_view page;  ///< address of the page on the monitor port; empty if there is none
 };
 
 /// Logs an event of a cell: the machine's events at debug, except stalls and warnings; the end of a
 /// recording as a warning; all others at info.
 void log_event(const CellEvent& event, const Model& model, const LogNames& names = {});
 
-/// Where a browser belongs that has connected to a robot port.
+/// A hint for the user of a browser that has connected to a robot port.
 std::string browser_hint(std::string_view page);
 
 }  // namespace xr3

@@ -32,7 +32,7 @@ class LogBudget {
 
   /// The number of messages dropped since the last report, at most once a second; 0 if no report is
   /// due.
-  std::uint64_t take_dropped(WallNs now) {
+  std::uint64_t drain_dropped(WallNs now) {
     if (dropped_ == 0 || now / kSecond == reported_at_) return 0;
     reported_at_ = now / kSecond;
     return std::exchange(dropped_, 0);

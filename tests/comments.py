@@ -6,10 +6,7 @@ import re
 LIBRARIES = ("core", "protocol", "cell", "tools", "server", "cli")
 
 # Files whose comments have yet to be mended. The list only shrinks: an entry without a finding is one, too.
-EXEMPT = (
-    "cell/", "clients/web/", "protocol/json/", "protocol/recording/", 
-    "server/lines/", "server/log", "server/pty/", "server/robot_port/",
-)
+EXEMPT = ("cell/", "clients/web/")
 
 # The file of each folder that begins with the flow through it, in ten to fifteen lines.
 MAIN_FILES = {
@@ -36,9 +33,11 @@ MAIN_FILES = {
     "server/device": "server/device/port.hpp",
     "server/files": "server/files/data_files.hpp",
     "server/http": "server/http/wire.hpp",
+    "server/lines": "server/lines/turns.hpp",
     "server/monitor_port": "server/monitor_port/port.hpp",
     "server/net": "server/net/listener.hpp",
     "server/options": "server/options/options.hpp",
+    "server/pty": "server/pty/pump.hpp",
     "server/recording": "server/recording/recording.hpp",
     "server/resources": "server/resources/session.hpp",
     "server/service": "server/service/service.hpp",

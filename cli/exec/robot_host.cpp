@@ -34,8 +34,8 @@ RobotHost::RobotHost(const ServeOptions& options, const CellSeed& seed, MonitorA
                      const std::string& pty, int listener)
     : context_{io_, turns_, worker_,
                [this](HostedCell& cell) {
-                 if (monitor_) monitor_->service().acted(cell);
-                 if (on_action_) on_action_();
+                 if (monitor_) monitor_->service().changed(cell);
+                 if (on_input_) on_input_();
                }},
       cell_(make_cell(context_, options, seed, "main",
                       [](const CellEvent& event, const Model& model) { log_event(event, model); })),
@@ -76,7 +76,7 @@ void RobotHost::close_ports() {
 }
 
 bool RobotHost::are_lines_closed() {
-  turns_.run_news();
+  turns_.run_events();
   return turns_.is_empty();
 }
 

@@ -36,8 +36,8 @@ class RobotHost {
   /// The monitor port; nullopt if there is none.
   std::optional<std::uint16_t> monitor_port() const;
 
-  /// Calls `acted` after each input of the cell.
-  void on_action(std::function<void()> acted) { on_action_ = std::move(acted); }
+  /// Calls `on_input` after each input of the cell.
+  void on_input(std::function<void()> on_input) { on_input_ = std::move(on_input); }
   /// Runs the event loop until `is_over` returns true, which is called after every handler. Throws
   /// exceptions that leave a handler.
   void run(const std::function<bool()>& is_over);
@@ -58,7 +58,7 @@ class RobotHost {
   EventLoop io_;
   LineTurns turns_{io_};
   Worker worker_;
-  std::function<void()> on_action_;
+  std::function<void()> on_input_;
   bool has_read_arrived_ = false;
   CellContext context_;
   CellRegistry cells_;

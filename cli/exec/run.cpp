@@ -101,14 +101,14 @@ class Run {
     if (start()) {
       pass_signals_on();
       watch_limits();
-      host_.on_action([this] { check_limits(); });
+      host_.on_input([this] { check_limits(); });
       host_.run([this] { return is_over_; });
       end_processes();
       read_output();
       read_lines();
     }
     check_reached();
-    host_.on_action({});
+    host_.on_input({});
     host_.come_to_rest(sim_limit_.left(kRestLimit));
     host_.finish_recording();
     return judged();

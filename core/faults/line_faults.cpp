@@ -57,9 +57,9 @@ std::uint8_t with_parity_bit(std::uint8_t byte) {
   return static_cast<std::uint8_t>(std::popcount(data) % 2 == 0 ? data : data | kParityBit);
 }
 
-class Carrier {
+class FaultyLine {
  public:
-  Carrier(const Model& model, State& state, Events& events)
+  FaultyLine(const Model& model, State& state, Events& events)
       : model_(model), state_(state), events_(events) {}
 
   /// Adds the byte to the result, changed by the faults of bytes.
@@ -158,7 +158,7 @@ void for_each_hold(const State& state, FaultKind kind, std::uint32_t line, const
 
 Carried carry_input(const Model& model, State& state, const LinePlace& place, std::uint8_t byte,
                     Events& events) {
-  Carrier carrier(model, state, events);
+  FaultyLine carrier(model, state, events);
   Carried carried;
   carrier.carry(place, byte, carried);
   carrier.disconnect(place, carried);
@@ -167,7 +167,7 @@ Carried carry_input(const Model& model, State& state, const LinePlace& place, st
 
 Carried carry_reply(const Model& model, State& state, const LinePlace& place,
                     std::string_view reply, Events& events) {
-  Carrier carrier(model, state, events);
+  FaultyLine carrier(model, state, events);
   Carried carried;
   if (carrier.loses(place)) return carried;
   LinePlace at = place;
@@ -180,7 +180,7 @@ Carried carry_reply(const Model& model, State& state, const LinePlace& place,
 }
 
 std::string stray_bytes(const Model& model, State& state, const LinePlace& place, Events& events) {
-  return Carrier(model, state, events).strays(place);
+  return FaultyLine(model, state, events).strays(place);
 }
 
 Tick batch_tick(const State& state, std::uint32_t line, Tick from) {

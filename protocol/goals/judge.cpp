@@ -61,7 +61,7 @@ class Judge {
   Judge(const Model& model, const State& end, const RunFacts& facts)
       : model_(model), end_(end), facts_(facts) {}
 
-  void look_at(std::size_t index) { breach_ = &facts_.breaches[index]; }
+  void select(std::size_t index) { breach_ = &facts_.breaches[index]; }
 
   Judged operator()(const BlockPlace& goal) const {
     Judged result{"block " + goal.name + place_text(goal)};
@@ -323,7 +323,7 @@ std::vector<GoalResult> judge(const GoalList& list, const Model& model, const St
   Judge judge(model, end, facts);
   std::vector<GoalResult> results;
   for (const Goal& goal : list.goals) {
-    judge.look_at(results.size());
+    judge.select(results.size());
     Judged judged = std::visit(judge, goal.body);
     GoalResult result{!judged.missed,
                       goal.points,

@@ -61,7 +61,7 @@ class Reading {
   /// Adds the findings of a part of this document that was read with its own Reading.
   void adopt(const Reading& part);
 
-  /// No further finding is stored. Values read from now on are not used.
+  /// Whether no further finding is stored. Values that are read after that are not used.
   bool is_full() const { return findings_.size() >= most_; }
   bool has_errors() const { return errors_ > 0; }
   std::size_t errors() const { return errors_; }
@@ -124,7 +124,7 @@ struct Codec {
   std::function<Json(const V&)> write;
 };
 
-/// A value that `parse` makes of the JSON value; nullopt: it is not allowed.
+/// A value that `parse` makes of the JSON value; nullopt if it is not allowed.
 template <class V>
 Codec<V> parsed(
     std::string allowed, std::function<std::optional<V>(JsonValue)> parse,
@@ -153,7 +153,7 @@ inline constexpr Range kCoordinate{-kMaxLengthMm, kMaxLengthMm};
 Codec<std::string> text(std::size_t min_length, std::size_t max_length);
 Codec<bool> boolean();
 Codec<int> whole_number(int min, int max);
-/// The same for any integer type; min and max must be within +-2^53.
+/// A whole number of any integer type; min and max must be within +-2^53.
 template <class I>
 Codec<I> integer(std::int64_t min, std::int64_t max);
 Codec<double> number(Range range);
@@ -167,7 +167,7 @@ Codec<E> choice(std::vector<std::pair<std::string, E>> names);
 /// A list of min_count to max_count values.
 template <class V>
 Codec<std::vector<V>> list(Codec<V> item, std::size_t min_count, std::size_t max_count);
-/// The same as a vector that copies share.
+/// A list as a vector that copies share.
 template <class V>
 Codec<SharedVector<V>> shared(Codec<std::vector<V>> values);
 
@@ -188,7 +188,7 @@ using Members = std::vector<Member<T>>;
 template <class T, class V>
 Member<T> required(std::string name, V T::*field, Codec<V> codec);
 
-/// The same for a value that is spread over several fields of T, such as a row().
+/// A required member whose value is spread over several fields of T, such as a row().
 template <class T>
 Member<T> required(std::string name, Codec<T> codec);
 

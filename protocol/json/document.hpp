@@ -51,9 +51,9 @@ class JsonDocument {
   /// Position and description of a fault in the text.
   struct Complaint {
     std::size_t position = 0;    ///< bytes read, including the offending one
-    std::size_t token_size = 0;  ///< of the last token, possibly including preceding bytes
-    std::string message;         ///< of the parser, without the token that it quotes
-    std::string pointer;         ///< kTooDeep: of the enclosing value
+    std::size_t token_size = 0;  ///< bytes of the last token, possibly with preceding ones
+    std::string message;         ///< message of the parser, without the token that it quotes
+    std::string pointer;         ///< kTooDeep: pointer to the enclosing value
   };
   const Complaint& complaint() const { return complaint_; }
 
@@ -170,7 +170,7 @@ class JsonValue {
   static constexpr std::size_t kMaxPointerLength = 256;
   /// The value at a pointer relative to this value, or empty.
   JsonValue at(std::string_view pointer) const;
-  /// The same, or the innermost existing value around it.
+  /// The value at a pointer, or the innermost existing value around it.
   JsonValue nearest(std::string_view pointer) const;
   /// Offset in the text; for a member, that of its name.
   std::size_t offset() const;

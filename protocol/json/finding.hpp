@@ -24,8 +24,8 @@ struct Finding {
   int line = 0;          ///< from 1
   int column = 0;        ///< from 1 for a syntax error; 0 otherwise
   std::string pointer;   ///< JSON pointer (RFC 6901); empty for the whole file
-  std::string found;     ///< what the file has there; empty: it is missing
-  std::string allowed;   ///< what is allowed there
+  std::string found;     ///< content of the file there; empty if it is missing
+  std::string allowed;   ///< allowed content
   std::size_t more = 0;  ///< if not 0: the number of further findings, which are not listed
   bool operator==(const Finding&) const = default;
 };

@@ -28,7 +28,7 @@ class JsonSource {
 
   /// Line of the value, from 1; for a member, that of its name. Takes time linear in the offset.
   int line_of(JsonValue value) const;
-  /// The same for the value at a JSON pointer, or for the innermost existing value around it.
+  /// Line of the value at a JSON pointer, or of the innermost existing value around it.
   int line_of(std::string_view pointer) const { return line_of(root().nearest(pointer)); }
 
  private:

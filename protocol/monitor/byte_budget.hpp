@@ -28,8 +28,8 @@ class ByteBudget {
     ~Account() = default;  // never owned through this interface
   };
 
-  /// kVital: granted although the budget is used up.
-  enum class Necessity : std::uint8_t { kUseful, kVital };
+  /// kRequired: granted although the budget is used up.
+  enum class Necessity : std::uint8_t { kUseful, kRequired };
 
   /// Lets a member have `wanted` bytes in place of its current ones. Other members that have more
   /// than that shrink if necessary. Returns false, and changes nothing for this member, if it is

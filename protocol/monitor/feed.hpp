@@ -83,7 +83,7 @@ class Ring final : public Feed, private ByteBudget::Account {
     Value value;
     Message text;
   };
-  static constexpr std::size_t kLeast = 16;
+  static constexpr std::size_t kMinCapacity = 16;
   // A segment is allocated when its first slot is needed, and its slots never move. To allocate or
   // move all slots of a large ring at once would take milliseconds.
   static constexpr std::size_t kSegment = 8;
@@ -111,14 +111,14 @@ class Ring final : public Feed, private ByteBudget::Account {
   // could be stored.
   void grow() {
     if (capacity_ >= most_) return;
-    const std::size_t wanted = std::min(most_, std::max(kLeast, 2 * capacity_));
+    const std::size_t wanted = std::min(most_, std::max(kMinCapacity, 2 * capacity_));
     const auto necessity =
-        capacity_ == 0 ? ByteBudget::Necessity::kVital : ByteBudget::Necessity::kUseful;
+        capacity_ == 0 ? ByteBudget::Necessity::kRequired : ByteBudget::Necessity::kUseful;
     if (budget_ == nullptr || budget_->grant(*this, wanted * slot_bytes_, necessity))
       resize(wanted);
   }
   void shrink() override {
-    if (capacity_ > kLeast) resize(std::max(kLeast, capacity_ / 2));
+    if (capacity_ > kMinCapacity) resize(std::max(kMinCapacity, capacity_ / 2));
   }
   /// Keeps the latest messages.
   void resize(std::size_t size) {

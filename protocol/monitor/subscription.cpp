@@ -54,7 +54,7 @@ void FrameSubscription::miss_waiting() {
   if (!waiting_.message) return;
   if (missed_.count++ == 0) missed_.from_seq = waiting_.seq;
   missed_.to_seq = waiting_.seq;
-  ++tally_->overwritten;
+  ++stats_->overwritten;
   waiting_ = {};
 }
 
@@ -74,7 +74,7 @@ Message FrameSubscription::next_output(FrameNumber now) {
     return lag(cell_, wanted_.selection.channel, std::exchange(missed_, {}));
   }
   if (!waiting_.message) return nullptr;
-  ++tally_->sent;
+  ++stats_->sent;
   sent_ = waiting_.content;
   Message message = std::move(waiting_.message);
   waiting_ = {};
@@ -99,7 +99,7 @@ Message OverviewSubscription::next_output() {
 
 FeedSubscription::FeedSubscription(std::string cell, const Subscribe& wanted,
                                    const std::shared_ptr<Feed>& feed, ChannelStats& stats)
-    : cell_(std::move(cell)), wanted_(wanted), feed_(feed), tally_(&stats), next_(feed->next()) {
+    : cell_(std::move(cell)), wanted_(wanted), feed_(feed), stats_(&stats), next_(feed->next()) {
   if (wanted.since) next_ = std::clamp<std::int64_t>(*wanted.since, 1, feed->next());
 }
 
@@ -114,12 +114,12 @@ Message FeedSubscription::next_output() {
   const std::int64_t first = std::max(feed->first(), skipped_to_);
   if (next_ < first) {
     const Missed missed{first - next_, next_, first - 1};
-    tally_->overwritten += static_cast<std::uint64_t>(missed.count);
+    stats_->overwritten += static_cast<std::uint64_t>(missed.count);
     next_ = first;
     return lag(cell_, wanted_.selection.channel, missed);
   }
   if (next_ >= feed->next()) return nullptr;
-  ++tally_->sent;
+  ++stats_->sent;
   return with_fields(feed->at(next_++), wanted_.selection.fields);
 }
 

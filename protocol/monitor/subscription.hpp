@@ -49,7 +49,7 @@ class FrameSubscription {
  public:
   /// `stats` must outlive it.
   FrameSubscription(std::string cell, const Subscribe& wanted, ChannelStats& stats)
-      : cell_(std::move(cell)), wanted_(wanted), tally_(&stats) {}
+      : cell_(std::move(cell)), wanted_(wanted), stats_(&stats) {}
 
   const Subscribe& wanted() const { return wanted_; }
 
@@ -91,7 +91,7 @@ class FrameSubscription {
   bool is_held_ = false;
   FrameNumber last_lag_ = -kFramesPerSecond;
   Missed missed_;
-  ChannelStats* tally_;
+  ChannelStats* stats_;
 };
 
 /// The subscription of a client to `overview`: one slot. A message in it shows all changes since
@@ -149,7 +149,7 @@ class FeedSubscription {
   std::string cell_;
   Subscribe wanted_;
   std::weak_ptr<Feed> feed_;
-  ChannelStats* tally_;
+  ChannelStats* stats_;
   std::int64_t next_;
   std::int64_t skipped_to_ = 0;  ///< seq before which messages are not sent
 };

@@ -22,7 +22,7 @@ bool is_plain(char byte) { return byte >= ' ' && byte < '\x7f' && byte != '"' &&
 
 /// The bytes whose code points the UTF-8 text has; nullopt if one is above U+00FF.
 std::optional<std::string> bytes_of(std::string_view text) {
-  constexpr unsigned kLead = 0xC2;  // of U+0080 to U+00BF; 0xC3 up to U+00FF
+  constexpr unsigned kLead = 0xC2;  // begins U+0080 to U+00BF; 0xC3 those up to U+00FF
   std::string bytes;
   bytes.reserve(text.size());
   for (std::size_t i = 0; i < text.size(); ++i) {

@@ -69,7 +69,7 @@ struct LineInput {
   std::string bytes;
   std::size_t taken = 0;   ///< at most bytes.size()
   std::size_t unsent = 0;  ///< bytes of the outbox that the transport had not sent before
-  std::string replies;     ///< what the line has added to its outbox at once
+  std::string replies;     ///< bytes that the line has added to its outbox at once
 };
 
 /// The transport has sent bytes of the outbox: so many are left.
@@ -118,7 +118,7 @@ using EntryBody = std::variant<LineBegin, LineSettings, LineInput, LineUnsent, I
 struct Entry {
   Epoch epoch = 0;
   Tick tick = 0;
-  int us = 0;  ///< of a clock that counts bytes: microseconds after the tick, 0...999
+  int us = 0;  ///< with the byte clock: microseconds after the tick, 0...999
   EntryBody body;
 };
 

@@ -87,13 +87,13 @@ Member<Raw> raw_member(const char* name, JsonValue Raw::*field) {
 }
 
 const Members<Raw>& raw_members() {
-  constexpr std::int64_t kMost = monitor::kMaxInteger;
+  constexpr std::int64_t kMax = monitor::kMaxInteger;
   static const Members<Raw> members = {
-      required("tick", &Raw::tick, integer<Tick>(0, kMost)),
+      required("tick", &Raw::tick, integer<Tick>(0, kMax)),
       optional("line", &Raw::line, integer<LineId>(1, UINT32_MAX)),
       optional("in", &Raw::in, byte_text(kMaxBytes)),
       optional("out", &Raw::out, byte_text(kMaxBytes)),
-      optional("epoch", &Raw::epoch, integer<Epoch>(0, kMost)),
+      optional("epoch", &Raw::epoch, integer<Epoch>(0, kMax)),
       optional("us", &Raw::us, whole_number(1, kMaxMicros)),
       optional("open", &Raw::open, line_kind()),
       optional("peer", &Raw::peer, byte_text(kMaxText)),
@@ -103,7 +103,7 @@ const Members<Raw>& raw_members() {
       optional("settings", &Raw::settings, line_settings()),
       optional("cooked", &Raw::cooked, boolean()),
       optional("taken", &Raw::taken, integer<std::size_t>(0, kMaxBytes)),
-      optional("unsent", &Raw::unsent, integer<std::size_t>(0, kMost)),
+      optional("unsent", &Raw::unsent, integer<std::size_t>(0, kMax)),
       optional("input_ended", &Raw::input_ended, boolean()),
       optional("silent", &Raw::silent, boolean()),
       optional("close", &Raw::close, close_reason()),
@@ -113,7 +113,7 @@ const Members<Raw>& raw_members() {
                                      {"silent", DeviceChange::kSilent}})),
       optional("why", &Raw::why, byte_text(kMaxText)),
       optional("device_in", &Raw::device_in, byte_text(kMaxBytes)),
-      optional("device_out", &Raw::device_out, integer<std::size_t>(1, kMost)),
+      optional("device_out", &Raw::device_out, integer<std::size_t>(1, kMax)),
       optional("hash", &Raw::hash, text(1, kMaxText)),
       optional("end", &Raw::end, text(1, kMaxText)),
       raw_member("call", &Raw::call),
@@ -147,7 +147,7 @@ const monitor::CallForm* call_form(const Place& fn) {
   return is_name ? monitor::find_call(fn.value.text()) : nullptr;
 }
 
-/// Reads what monitor::written() has made. `args` may be empty: no arguments. Reports errors at
+/// Reads the JSON of monitor::written(). `args` may be empty, for no arguments. Reports errors at
 /// `fn` and in `args`.
 std::optional<call::Call> read_call(const Place& fn, JsonValue args) {
   const auto refuse = [&fn] {

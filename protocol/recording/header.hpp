@@ -28,8 +28,8 @@ struct RecordedDevice {
 
 struct Header {
   std::string program;   ///< name and version
-  int state_format = 0;  ///< of the digests, see cell/recording/state_hash.hpp
-  std::string cell;      ///< its name
+  int state_format = 0;  ///< format of the digests, see cell/recording/state_hash.hpp
+  std::string cell;      ///< name of the cell
   ModelPtr model;
   ClockMode mode = ClockMode::kReal;
   Rate rate;

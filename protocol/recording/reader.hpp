@@ -1,5 +1,5 @@
 // Reads a recording strictly, line by line, from bytes that the caller has read. A recording may
-// come from a stranger: lines and memory are bounded, and errors tell the line, the JSON pointer
+// come from anywhere: lines and memory are bounded, and errors contain the line, the JSON pointer
 // and what is allowed. Without I/O.
 #pragma once
 
@@ -25,7 +25,7 @@ class RecordingReader {
   /// The file has no more bytes. Throws DataError if its last line is no beginning of a line.
   void end();
 
-  /// The first line; nullopt: more bytes are needed, or after end() there is none. Throws
+  /// The first line; nullopt if more bytes are needed, or after end() if there is none. Throws
   /// DataError.
   std::optional<Header> header();
   /// The next line after the header, likewise. Throws DataError.
@@ -47,8 +47,8 @@ class RecordingReader {
   void require_json(const JsonDocument& document) const;
 
   std::string file_;
-  std::string text_;          ///< what has been added and not been read, from begin_ on
-  std::size_t begin_ = 0;     ///< of the next line
+  std::string text_;          ///< added and not read yet, from begin_ on
+  std::size_t begin_ = 0;     ///< offset of the next line
   std::size_t searched_ = 0;  ///< up to here, the next line has no end
   std::int64_t line_ = 0;
   Epoch epoch_ = 0;

@@ -1,6 +1,6 @@
 // The check of a recording: a CRC of all its bytes so far, at the end of each line, so that a
-// changed byte is found in its line. It is against accidents; whoever changes a file on purpose can
-// compute it anew.
+// changed byte is found in its line. It detects accidents, not
+// intent: the check can be computed anew after a change.
 #pragma once
 
 #include <cstdint>

@@ -9,9 +9,9 @@ HostedCell::HostedCell(CellContext& context, CellParts parts)
       token_(std::move(parts.token)),
       cell_(std::move(parts.name), std::move(parts.model), parts.clock, std::move(parts.sink),
             context.rings),
-      lines_(context.turns, cell_, [this] { acted(); }),
-      due_timer_(context.io, cell_, [this] { acted(); }),
-      silence_timer_(context.io, cell_, lines_, [this] { acted(); }),
+      lines_(context.turns, cell_, [this] { after_input(); }),
+      due_timer_(context.io, cell_, [this] { after_input(); }),
+      silence_timer_(context.io, cell_, lines_, [this] { after_input(); }),
       frames_(cell_),
       hub_(context.io, cell_, frames_, [this] { context_.turns.run_turns(); }),
       pictures_(context.io, context.worker) {}
@@ -36,25 +36,25 @@ void HostedCell::serve_terminals(const std::vector<std::string>& paths, ::mode_t
 
 void HostedCell::connect_device(const DeviceChoice& device, bool is_mirrored) {
   device_.emplace(context_.io, cell_, device.path, device.settings, is_mirrored,
-                  [this] { acted(); });
+                  [this] { after_input(); });
 }
 
 void HostedCell::record(std::string path, RecordingLimits limits) {
-  recording_.emplace(context_.io, cell_, std::move(path), limits, [this] { acted(); });
+  recording_.emplace(context_.io, cell_, std::move(path), limits, [this] { after_input(); });
 }
 
 void HostedCell::finish_recording() {
   if (recording_) recording_->finish();
 }
 
-void HostedCell::acted() {
+void HostedCell::after_input() {
   if (is_frozen_) return;
   for (const LineId line : cell_.take_woken_lines()) lines_.wake(line);
   due_timer_.update();
   silence_timer_.update();
   if (device_) device_->pump();
-  hub_.acted();
-  context_.acted(*this);
+  hub_.changed();
+  context_.on_input(*this);
 }
 
 void HostedCell::close_ports() {

@@ -5,9 +5,9 @@
 // The registry (registry.hpp) holds the cells of the server by name and by token; a cell lives as
 // long as a shared pointer to it. Three callers add cells: the App at the start, ConnectionCells
 // (connection_cells.hpp) for each connection of `--cell-per-connection`, and BranchCells
-// (branch_cells.hpp) for copies of a cell's past. After each input, from whatever port, acted()
-// runs: it wakes the lines that have replies, sets the timers for due bytes and for silence, passes
-// bytes on to a physical controller, and lets the subscribers know of the change. A cell is closed
+// (branch_cells.hpp) for copies of a cell's past. After each input, from whatever port, runs
+// after_input(): it wakes the lines that have replies, sets the timers for due bytes and for
+// silence, passes bytes on to a physical controller, and notifies the subscribers. A cell is closed
 // in two steps: close() ends its lines, and retire() its timers, since a request of the monitor may
 // still hold it.
 #pragma once
@@ -45,9 +45,9 @@ struct CellContext {
   asio::io_context& io;
   LineTurns& turns;
   Worker& worker;
-  std::function<void(HostedCell&)> acted;    ///< called after each input of a cell
-  monitor::ByteBudget* rings = nullptr;      ///< limit for the rings of all cells; nullptr if none
-  monitor::ByteBudget* histories = nullptr;  ///< limit for the histories of all cells
+  std::function<void(HostedCell&)> on_input;  ///< called after each input of a cell
+  monitor::ByteBudget* rings = nullptr;       ///< limit for the rings of all cells; nullptr if none
+  monitor::ByteBudget* histories = nullptr;   ///< limit for the histories of all cells
 };
 
 /// The parts with which a cell begins.
@@ -111,8 +111,8 @@ class HostedCell : public std::enable_shared_from_this<HostedCell> {
   /// nullptr if none is kept.
   const History* history() const { return history_ ? &*history_ : nullptr; }
 
-  /// An input of the cell has acted: serves its lines and subscribers.
-  void acted();
+  /// To be called after an input of the cell: serves its lines and subscribers.
+  void after_input();
 
   /// Accepts no further clients; the lines end as LineSessions::close() says.
   void close_ports();

@@ -22,11 +22,11 @@ constexpr const char* kDeviceName = "the device";
 
 DevicePort::DevicePort(asio::io_context& io, Cell& cell, std::string path,
                        const SerialSettings& settings, bool is_mirrored,
-                       std::function<void()> acted)
+                       std::function<void()> on_input)
     : cell_(cell),
       path_(std::move(path)),
       settings_(settings),
-      acted_(std::move(acted)),
+      on_input_(std::move(on_input)),
       port_(io),
       reopen_(io),
       deadline_(io) {
@@ -72,9 +72,9 @@ asio::awaitable<void> DevicePort::read() {
     if (port_.is_open()) lose(error.message());
     co_return;
   }
-  vital(kDeviceName, [&, this] {
+  fatal_if_throws(kDeviceName, [&, this] {
     cell_.apply(DeviceIn{{bytes.data(), count}}, wall_now());
-    acted_();
+    on_input_();
   });
 }
 
@@ -88,7 +88,7 @@ asio::awaitable<void> DevicePort::wait_to_reopen() {
     lock_.reset();
     co_return;  // not yet
   }
-  acted_();
+  on_input_();
 }
 
 void DevicePort::lose(const std::string& why) {
@@ -96,7 +96,7 @@ void DevicePort::lose(const std::string& why) {
   port_.close(ignored);
   lock_.reset();
   cell_.apply(DeviceLost{why}, wall_now());
-  acted_();
+  on_input_();
 }
 
 // Writes pending bytes and sets the deadline. Losing the port meanwhile calls this again, without
@@ -126,7 +126,7 @@ void DevicePort::await_room() {
   if (std::exchange(waits_for_room_, true)) return;
   port_.async_wait(asio::posix::stream_descriptor::wait_write, [this](ErrorCode error) {
     waits_for_room_ = false;
-    if (!error) vital(kDeviceName, [this] { acted_(); });
+    if (!error) fatal_if_throws(kDeviceName, [this] { on_input_(); });
   });
 }
 
@@ -138,9 +138,9 @@ void DevicePort::await_deadline() {
   const Tick left = std::max<Tick>(*due - cell_.state().tick, 0);
   run_after(deadline_, std::chrono::milliseconds(left + 1), [this] {
     if (is_closing_) return;
-    vital(kDeviceName, [this] {
+    fatal_if_throws(kDeviceName, [this] {
       cell_.catch_up(wall_now());
-      acted_();
+      on_input_();
     });
   });
 }

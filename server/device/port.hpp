@@ -29,10 +29,10 @@ class DevicePort {
   /// Interval for opening a port that has vanished.
   static constexpr std::chrono::milliseconds kReopenEvery{500};
 
-  /// Connects the cell, which must outlive the port, with a device. `acted` is called after each
+  /// Connects the cell, which must outlive the port, with a device. `on_input` is called after each
   /// input; it calls pump().
   DevicePort(asio::io_context& io, Cell& cell, std::string path, const SerialSettings& settings,
-             bool is_mirrored, std::function<void()> acted);
+             bool is_mirrored, std::function<void()> on_input);
   DevicePort(const DevicePort&) = delete;
   DevicePort& operator=(const DevicePort&) = delete;
 
@@ -56,7 +56,7 @@ class DevicePort {
   Cell& cell_;
   std::string path_;
   SerialSettings settings_;
-  std::function<void()> acted_;
+  std::function<void()> on_input_;
   std::optional<UucpLock> lock_;
   asio::posix::stream_descriptor port_;
   asio::steady_timer reopen_;

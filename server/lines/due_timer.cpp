@@ -12,13 +12,13 @@ void DueTimer::update() {
   const WallNs moment = cell_.clock().when(*due);
   if (waits_until_ && *waits_until_ <= moment) return;
   waits_until_ = moment;
-  run_at(timer_, moment, [this] { vital("the serial lines", [this] { advance(); }); });
+  run_at(timer_, moment, [this] { fatal_if_throws("the serial lines", [this] { advance(); }); });
 }
 
 void DueTimer::advance() {
   waits_until_.reset();
   cell_.catch_up(wall_now());
-  acted_();
+  on_input_();
 }
 
 void DueTimer::close() {

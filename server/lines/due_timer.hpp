@@ -12,9 +12,9 @@ namespace xr3 {
 
 class DueTimer {
  public:
-  /// `acted` is called after the cell has advanced.
-  DueTimer(asio::io_context& io, Cell& cell, std::function<void()> acted)
-      : cell_(cell), acted_(std::move(acted)), timer_(io) {}
+  /// `on_input` is called after the cell has advanced.
+  DueTimer(asio::io_context& io, Cell& cell, std::function<void()> on_input)
+      : cell_(cell), on_input_(std::move(on_input)), timer_(io) {}
 
   /// Waits for the byte that is due next. To be called after each input of the cell.
   void update();
@@ -24,7 +24,7 @@ class DueTimer {
   void advance();
 
   Cell& cell_;
-  std::function<void()> acted_;
+  std::function<void()> on_input_;
   asio::steady_timer timer_;
   std::optional<WallNs> waits_until_;
   bool is_closed_ = false;

@@ -21,7 +21,7 @@ LineSession::LineSession(std::unique_ptr<LineStream> stream, const LineOpened& o
 }
 
 LineSession::Turn LineSession::run_turn(WallNs now) {
-  const Turn turn = read_and_act(now);
+  const Turn turn = read_and_execute(now);
   if (turn != Turn::kMore) stream_->acknowledge();
   return turn;
 }
@@ -29,13 +29,13 @@ LineSession::Turn LineSession::run_turn(WallNs now) {
 // Does not read while replies are unsent, so that a client must read its replies. Reads once,
 // however late it is: else a line would never be read on a machine that is too slow. The bytes act
 // at the time at which the turn began; an inquiry needs no other look at the clock.
-LineSession::Turn LineSession::read_and_act(WallNs now) {
+LineSession::Turn LineSession::read_and_execute(WallNs now) {
   const WallNs end = now + kTurnTime;
   const Turn before = flush(end);
   if (before != Turn::kDrained || has_ended_) return before;
   const std::size_t wanted = turn_bytes();
   const std::size_t count = read(wanted);
-  act({context_.turns.scratch().data(), count}, end, now);
+  execute({context_.turns.scratch().data(), count}, end, now);
   const Turn after = flush(end);
   const bool may_have_more = count == wanted || (count > 0 && (is_ending_ || stream_->has_more()));
   return after == Turn::kDrained && may_have_more ? Turn::kMore : after;
@@ -52,14 +52,14 @@ std::size_t LineSession::read(std::size_t most) {
   return count;
 }
 
-void LineSession::act(std::string_view bytes, WallNs end, WallNs now) {
+void LineSession::execute(std::string_view bytes, WallNs end, WallNs now) {
   if (bytes.empty()) return;
   report_settings(now);
   const auto is_enough = [end] { return wall_now() >= end; };
   const std::size_t taken = context_.cell.apply(BytesIn{id_, bytes, is_enough}, now).bytes_taken;
   note(context_.turns.memory(), held_bytes());
-  source_.line_acted(id_);
-  context_.acted(id_);
+  source_.line_executed(id_);
+  context_.on_input(id_);
   if (!is_open()) return;
   const SerialLine& line = *context_.cell.find_line(id_);
   if (line.is_not_a_robot_program()) return close(LineCloseReason::kNotARobotProgram);
@@ -77,20 +77,20 @@ void LineSession::keep(std::string_view bytes) {
   }
 }
 
-// What has acted is still answered; no more bytes are read.
+// Executed bytes are still answered; no more bytes are read.
 void LineSession::end_by_fault() {
   if (!std::exchange(has_ended_, true)) end_ = LineCloseReason::kFault;
   pending_.clear();
 }
 
 void LineSession::report_settings(WallNs now) {
-  if (const auto settings = stream_->take_settings(id_)) context_.cell.apply(*settings, now);
+  if (const auto settings = stream_->changed_settings(id_)) context_.cell.apply(*settings, now);
 }
 
 void LineSession::end_input() {
   if (context_.cell.find_line(id_)->has_input_ended()) return;
   context_.cell.apply(InputEnded{id_}, wall_now());
-  context_.acted(id_);
+  context_.on_input(id_);
 }
 
 // Sends as much as the stream accepts now, and applies the bytes that waited for room in the
@@ -118,11 +118,11 @@ LineSession::Turn LineSession::flush(WallNs end) {
     if (stream_->is_lost()) close(LineCloseReason::kError);
     if (!is_open()) return Turn::kBlocked;
     context_.cell.sent({id_, count});
-    if (line.is_paced()) context_.acted(id_);  // bytes may act again
+    if (line.is_paced()) context_.on_input(id_);  // bytes may act again
     if (!is_open()) return Turn::kBlocked;
     if (count == 0 && !line.outbox().empty()) return Turn::kBlocked;
     if (is_done()) break;
-    if (accepts_pending()) act(std::exchange(pending_, {}), end, wall_now());
+    if (accepts_pending()) execute(std::exchange(pending_, {}), end, wall_now());
     if (!is_open()) return Turn::kBlocked;
     if (!is_done() && wall_now() >= end) return Turn::kMore;
   }

@@ -2,6 +2,7 @@
 // arrival, and the line's outbox to the stream. It ends with its stream.
 #pragma once
 
+#include <cassert>
 #include <functional>
 #include <memory>
 #include <string>
@@ -19,7 +20,7 @@ class LineTurns;
 struct LineSessionContext {
   Cell& cell;
   LineTurns& turns;
-  std::function<void(LineId)> acted;  ///< called after bytes have acted
+  std::function<void(LineId)> on_input;  ///< called after bytes were executed
   /// Called when the stream is closed; may release the session.
   std::function<void(LineId, LineCloseReason)> ended;
 };
@@ -37,14 +38,14 @@ class LineSession {
   bool is_open() const { return stream_->is_open(); }
 
   /// The stream has ended or is broken: the next turns read to the end.
-  void note_end() { is_ending_ = true; }
+  void set_ending() { is_ending_ = true; }
   /// The stream is broken. Bytes that are not due yet are dropped with the line.
-  void note_loss() { is_broken_ = true; }
+  void set_broken() { is_broken_ = true; }
 
   enum class Turn : std::uint8_t {
     kDrained,  ///< all bytes have been read and executed, all replies sent
     kMore,     ///< there may be more to do now
-    kBlocked,  ///< until there is news: replies are not read, the line waits, or it is closed
+    kBlocked,  ///< until the next event: replies are not read, the line waits, or it is closed
   };
 
   /// Sends what can be sent, then reads and executes at most kBytesATurn bytes, or as many as fit
@@ -60,9 +61,15 @@ class LineSession {
   /// LineStream::max_settled().
   std::size_t max_settled() const { return stream_->max_settled(); }
   /// SerialLine::bytes_in(). Precondition: the session is open.
-  std::uint64_t bytes_in() const { return context_.cell.find_line(id_)->bytes_in(); }
+  std::uint64_t bytes_in() const {
+    assert(is_open());
+    return context_.cell.find_line(id_)->bytes_in();
+  }
   /// SerialLine::output_end(). Precondition: the session is open.
-  std::uint64_t output_end() const { return context_.cell.find_line(id_)->output_end(); }
+  std::uint64_t output_end() const {
+    assert(is_open());
+    return context_.cell.find_line(id_)->output_end();
+  }
 
   /// The bytes that wait for the client to read.
   std::size_t held_bytes() const;
@@ -74,11 +81,11 @@ class LineSession {
   void close(LineCloseReason reason);
 
  private:
-  Turn read_and_act(WallNs now);
+  Turn read_and_execute(WallNs now);
   Turn flush(WallNs end);
   std::size_t turn_bytes() const;
   std::size_t read(std::size_t most);
-  void act(std::string_view bytes, WallNs end, WallNs now);
+  void execute(std::string_view bytes, WallNs end, WallNs now);
   void keep(std::string_view bytes);
   void end_input();
   void end_by_fault();

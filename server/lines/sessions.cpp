@@ -12,7 +12,7 @@ constexpr const char* kLinesName = "the serial lines";
 // The time of arrived bytes until other ports have their turns.
 constexpr WallNs kPiece = 500'000;
 
-/// While it exists, the timer is cancelled when bytes of the line have acted.
+/// While it exists, the timer is cancelled when bytes of the line have been executed.
 class ByteWait {
  public:
   using Timers = std::multimap<LineId, asio::steady_timer*>;
@@ -29,10 +29,10 @@ class ByteWait {
 
 }  // namespace
 
-LineSessions::LineSessions(LineTurns& turns, Cell& cell, std::function<void()> acted)
+LineSessions::LineSessions(LineTurns& turns, Cell& cell, std::function<void()> on_input)
     : turns_(turns),
       cell_(cell),
-      acted_(std::move(acted)),
+      on_input_(std::move(on_input)),
       context_{cell, turns, [this](LineId line) { notify(line); },
                [this](LineId line, LineCloseReason reason) { end(line, reason); }} {}
 
@@ -68,7 +68,7 @@ PortCounters LineSessions::counters() const {
 bool LineSessions::disconnect(LineId line) {
   const auto found = sessions_.find(line);
   if (found == sessions_.end()) return false;
-  const auto session = found->second.session;  // it removes itself from the map
+  const auto session = found->second.session;  // the session removes itself from the map
   session->close(LineCloseReason::kDisconnected);
   return true;
 }
@@ -100,17 +100,17 @@ ArrivedBytes LineSessions::arrived(const std::function<bool(const LineSession&)>
 
 asio::awaitable<void> LineSessions::read(ArrivedBytes bytes) {
   const auto read_some = [&bytes] { return bytes.read(wall_now() + kPiece); };
-  while (vital(kLinesName, read_some)) co_await turns_.pause();
+  while (fatal_if_throws(kLinesName, read_some)) co_await turns_.pause();
 }
 
 asio::awaitable<void> LineSessions::read_arrived() {
   for (LineSource* source : sources_) co_await source->settle();
-  co_await read(
-      vital(kLinesName, [this] { return arrived([](const LineSession&) { return true; }); }));
+  co_await read(fatal_if_throws(
+      kLinesName, [this] { return arrived([](const LineSession&) { return true; }); }));
 }
 
 asio::awaitable<void> LineSessions::read_lines_of(const LineSource& source) {
-  co_await read(vital(kLinesName, [&, this] {
+  co_await read(fatal_if_throws(kLinesName, [&, this] {
     return arrived([&source](const LineSession& each) { return &each.source() == &source; });
   }));
 }
@@ -120,7 +120,7 @@ asio::awaitable<bool> LineSessions::wait_for_bytes(LineId id, std::uint64_t byte
   asio::steady_timer timer(turns_.io(), within);
   const auto deadline = timer.expiry();
   for (;;) {
-    co_await read(vital(kLinesName, [id, this] {
+    co_await read(fatal_if_throws(kLinesName, [id, this] {
       return arrived([id](const LineSession& each) { return each.line() == id; });
     }));
     if (cell_.bytes_in(id).value_or(0) >= bytes_in) co_return true;
@@ -133,10 +133,10 @@ asio::awaitable<bool> LineSessions::wait_for_bytes(LineId id, std::uint64_t byte
 
 // Resumes the coroutines that wait for bytes of the line, which check again.
 void LineSessions::notify(LineId line) {
-  vital(kLinesName, [&, this] {
+  fatal_if_throws(kLinesName, [&, this] {
     const auto [begin, end] = waiting_.equal_range(line);
     for (auto each = begin; each != end; ++each) each->second->cancel();
-    acted_();
+    on_input_();
   });
 }
 
@@ -148,7 +148,7 @@ void LineSessions::close(WallNs deadline) {
     wall_now() < deadline ? entry.session->finish()
                           : entry.session->close(LineCloseReason::kShutdown);
   for (const auto& [line, timer] : waiting_) timer->cancel();
-  acted_();
+  on_input_();
 }
 
 void LineSessions::abort(LineCloseReason reason) {

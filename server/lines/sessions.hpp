@@ -21,9 +21,9 @@ namespace xr3 {
 
 class LineSessions final : public LineTransports {
  public:
-  /// `acted` is called after each input, and when a line has opened or closed. The references must
-  /// outlive the sessions.
-  LineSessions(LineTurns& turns, Cell& cell, std::function<void()> acted);
+  /// `on_input` is called after each input, and when a line has opened or closed. The references
+  /// must outlive the sessions.
+  LineSessions(LineTurns& turns, Cell& cell, std::function<void()> on_input);
   LineSessions(const LineSessions&) = delete;
   LineSessions& operator=(const LineSessions&) = delete;
   ~LineSessions() { drop(); }
@@ -31,7 +31,7 @@ class LineSessions final : public LineTransports {
   /// read_arrived() asks this source for new clients, too. It must outlive its sessions.
   void add(LineSource& source) { sources_.push_back(&source); }
 
-  /// Opens a line, which has its turns from now on. nullopt if the system refuses to watch the
+  /// Opens a line and gives it turns. nullopt if the system refuses to watch the
   /// stream; the line is closed then. `place` may be null.
   std::optional<LineId> open(LineSource& source, std::unique_ptr<LineStream> stream,
                              const LineOpened& opened, PeerCounts::Place place = nullptr);
@@ -46,11 +46,11 @@ class LineSessions final : public LineTransports {
   bool disconnect(LineId line) override;
   PortCounters counters() const override;
 
-  /// Gives a line a turn, if it is open: it can go on for another reason than news of its stream.
+  /// Gives a line a turn, if it is open: it may continue, and not because of its stream.
   void wake(LineId line);
 
-  /// LineTurns::run_news(): finds streams that have ended.
-  void run_news() { turns_.run_news(); }
+  /// LineTurns::run_events(): finds streams that have ended.
+  void run_events() { turns_.run_events(); }
 
   /// Sessions send their outboxes and end. Those that have not begun to do so at the deadline are
   /// closed at once. The sources must open no further lines.
@@ -64,7 +64,7 @@ class LineSessions final : public LineTransports {
  private:
   struct SessionEntry {
     std::shared_ptr<LineSession> session;
-    std::optional<SessionNumber> number;  ///< nullopt: it has no turns
+    std::optional<SessionNumber> number;  ///< nullopt if it has no turns
   };
   using Sessions = std::map<LineId, SessionEntry>;
 
@@ -77,9 +77,9 @@ class LineSessions final : public LineTransports {
 
   LineTurns& turns_;
   Cell& cell_;
-  std::function<void()> acted_;
+  std::function<void()> on_input_;
   LineSessionContext context_;
-  /// By line; cancelled when its bytes have acted, or it has ended.
+  /// By line; cancelled when its bytes were executed, or it has ended.
   std::multimap<LineId, asio::steady_timer*> waiting_;
   std::vector<LineSource*> sources_;
   Sessions sessions_;

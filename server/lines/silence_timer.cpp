@@ -12,8 +12,8 @@ constexpr WallNs kNsPerMs = 1'000'000;
 }  // namespace
 
 SilenceTimer::SilenceTimer(asio::io_context& io, Cell& cell, LineSessions& lines,
-                           std::function<void()> acted)
-    : cell_(cell), lines_(lines), acted_(std::move(acted)), timer_(io) {}
+                           std::function<void()> on_input)
+    : cell_(cell), lines_(lines), on_input_(std::move(on_input)), timer_(io) {}
 
 bool SilenceTimer::is_needed() const {
   const ByteClock* clock = cell_.byte_clock();
@@ -42,18 +42,18 @@ WallNs SilenceTimer::due() const {
 
 void SilenceTimer::wait() {
   is_waiting_ = true;
-  run_at(timer_, due(), [this] { vital("the byte clock", [this] { look(); }); });
+  run_at(timer_, due(), [this] { fatal_if_throws("the byte clock", [this] { check(); }); });
 }
 
-// Bytes that have arrived meanwhile act first: a busy machine makes no silence.
-void SilenceTimer::look() {
+// Executes the bytes that have arrived meanwhile first: a busy machine makes no silence.
+void SilenceTimer::check() {
   lines_.run_turns();
   update();
   is_waiting_ = false;
   if (!is_needed() || !is_moving()) return;
   if (wall_now() < due()) return wait();
   cell_.apply(LineSilent{last_.line.value_or(0)}, wall_now());
-  acted_();
+  on_input_();
 }
 
 void SilenceTimer::close() {

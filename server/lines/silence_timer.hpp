@@ -1,5 +1,5 @@
-// With the byte clock and `settle=MS`: tells the cell when no byte has come for that time on the
-// line that it obeys, so that the robot runs to rest.
+// With the byte clock and `settle=MS`: applies LineSilent to the cell when no byte has arrived for
+// that time on the current line, so that the robot runs to rest.
 #pragma once
 
 #include <functional>
@@ -14,15 +14,16 @@ namespace xr3 {
 
 class SilenceTimer {
  public:
-  /// `acted` is called after the robot has run to rest.
-  SilenceTimer(asio::io_context& io, Cell& cell, LineSessions& lines, std::function<void()> acted);
+  /// `on_input` is called after the robot has run to rest.
+  SilenceTimer(asio::io_context& io, Cell& cell, LineSessions& lines,
+               std::function<void()> on_input);
 
-  /// Notes whether a byte has come. To be called after each input of the cell.
+  /// Checks whether a byte has arrived. To be called after each input of the cell.
   void update();
   void close();
 
  private:
-  /// How far the current line is.
+  /// The current line and the number of bytes that it has received.
   struct Progress {
     std::optional<LineId> line;
     std::uint64_t bytes_in = 0;
@@ -34,11 +35,11 @@ class SilenceTimer {
   bool is_moving() const;
   WallNs due() const;
   void wait();
-  void look();
+  void check();
 
   Cell& cell_;
   LineSessions& lines_;
-  std::function<void()> acted_;
+  std::function<void()> on_input_;
   asio::steady_timer timer_;
   Progress last_;
   WallNs since_ = 0;  ///< wall time of the last progress

@@ -14,9 +14,9 @@ class LineSource {
   virtual asio::awaitable<void> settle() { co_return; }
   /// Opens a line for each client that has arrived, without waiting.
   virtual void accept_arrived() = 0;
-  /// Bytes of one of its lines have acted.
-  virtual void line_acted(LineId /*line*/) {}
-  /// One of its lines has ended.
+  /// Called after bytes of one of its lines were executed.
+  virtual void line_executed(LineId /*line*/) {}
+  /// Called at the end of one of its lines.
   virtual void line_ended(LineId line, LineCloseReason reason) = 0;
   /// Clients that got no line.
   virtual PortCounters counters() const { return {}; }

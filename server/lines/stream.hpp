@@ -33,8 +33,8 @@ class LineStream {
   /// descriptor. Precondition: the stream is open.
   virtual std::size_t unread_bytes() const;
 
-  /// To be called when all bytes read have acted: tells the client that they have arrived, if no
-  /// reply has.
+  /// To be called when all bytes read were executed: acknowledges them to the client, unless a
+  /// reply has done so.
   virtual void acknowledge() {}
 
   /// The maximum number of bytes that a read barrier reads after LineSource::settle(), or after one
@@ -43,7 +43,7 @@ class LineStream {
 
   /// The settings of the serial port if they have changed since the last call, as an input for
   /// this line.
-  virtual std::optional<LineSettings> take_settings(LineId) { return std::nullopt; }
+  virtual std::optional<LineSettings> changed_settings(LineId) { return std::nullopt; }
 
   /// The last read has left bytes, although it gave fewer than were wanted: their settings differ.
   bool has_more() const { return has_more_; }
@@ -53,9 +53,9 @@ class LineStream {
   bool is_lost() const { return is_lost_; }
 
  protected:
-  void note_more(bool has_more) { has_more_ = has_more; }
-  void note_ended() { has_ended_ = true; }
-  void note_lost() { is_lost_ = true; }
+  void set_has_more(bool has_more) { has_more_ = has_more; }
+  void set_ended() { has_ended_ = true; }
+  void set_lost() { is_lost_ = true; }
 
  private:
   bool has_more_ = false;

@@ -52,52 +52,55 @@ std::size_t LineTurns::most_held() const {
   return session ? session->held_bytes() : 0;
 }
 
-void LineTurns::close_greediest() { greediest()->close(LineCloseReason::kMemory); }
+void LineTurns::close_greediest() {
+  assert(most_held() > 0);
+  greediest()->close(LineCloseReason::kMemory);
+}
 
 // --- Turns.
 
 // (g++ 12 generates wrong code for co_await in the condition of a loop.)
 asio::awaitable<void> LineTurns::run() {
-  for (bool has_news = true; has_news;) {
-    has_news = co_await watch_.wait();
-    if (has_news) run_turns();
+  for (bool is_open = true; is_open;) {
+    is_open = co_await watch_.wait();
+    if (is_open) run_turns();
   }
 }
 
 void LineTurns::run_due_turns() {
   if (!is_watching_ || wall_now() < next_turns_) return;
-  vital(kTurnsName, [this] { run_for(kMaxDueTime); });
+  fatal_if_throws(kTurnsName, [this] { run_for(kMaxDueTime); });
 }
 
 void LineTurns::run_turns() { run_for(kMaxTurnsTime); }
 
-// Looks again at once if several lines had turns: others have probably asked meanwhile, and to wait
-// for the event loop costs more.
+// Polls again at once if several lines had turns: other bytes have probably arrived meanwhile, and
+// to wait for the event loop costs more.
 void LineTurns::run_for(WallNs time) {
   WallNs now = wall_now();
   const WallNs end = now + time;
   int turns = 0;
   do {
-    queue_news();
+    queue_events();
     for (turns = 0; has_waiting() && now < end; ++turns, now = wall_now())
-      run_turn(take_first(next_queue()));
+      run_turn(pop_front(next_queue()));
   } while (turns > 1 && now < end);
   next_turns_ = now + kTurnsEvery;
   if (has_waiting()) schedule();
 }
 
-void LineTurns::run_news() {
-  queue_news();
+void LineTurns::run_events() {
+  queue_events();
   for (std::size_t left = ready_.size(); left > 0 && !ready_.empty(); --left)
-    run_turn(take_first(ready_));
+    run_turn(pop_front(ready_));
 }
 
-void LineTurns::queue_news() {
-  for (const auto& [number, is_end, is_loss] : watch_.news()) {
+void LineTurns::queue_events() {
+  for (const auto& [number, is_end, is_loss] : watch_.poll()) {
     const auto found = sessions_.find(number);
     if (found == sessions_.end()) continue;
-    if (is_end) found->second.session->note_end();
-    if (is_loss) found->second.session->note_loss();
+    if (is_end) found->second.session->set_ending();
+    if (is_loss) found->second.session->set_broken();
     add_to(ready_, number);
   }
 }
@@ -115,7 +118,7 @@ LineTurns::Queue& LineTurns::next_queue() {
   return is_busy ? busy_ : ready_;
 }
 
-SessionNumber LineTurns::take_first(Queue& queue) {
+SessionNumber LineTurns::pop_front(Queue& queue) {
   assert(!queue.empty());
   const SessionNumber first = queue.front();
   queue.pop_front();
@@ -127,7 +130,8 @@ SessionNumber LineTurns::take_first(Queue& queue) {
 LineSession::Turn LineTurns::run_turn(SessionNumber number) {
   const auto found = sessions_.find(number);
   if (found == sessions_.end()) return LineSession::Turn::kBlocked;
-  const std::shared_ptr<LineSession> session = found->second.session;  // it may remove itself
+  const std::shared_ptr<LineSession> session =
+      found->second.session;  // the session may remove itself
   const LineSession::Turn turn = session->run_turn(wall_now());
   if (turn == LineSession::Turn::kMore) add_to(busy_, number);
   return turn;

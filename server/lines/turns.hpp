@@ -1,10 +1,15 @@
-// The turns of the serial lines of all cells. One watch and one buffer serve them all. A line with
-// news waits in the queue `ready`, one that has used up its turn in `busy`, and the two queues have
-// turns alternately: an inquiry never waits for more than one turn of a line that floods, and a
-// flood is not forgotten beside a thousand inquiries.
+// The turns of the serial lines of all cells. One watch and one buffer serve them all.
 //
-// The event loop calls run_turns() when the watch has news, and run_due_turns() after each handler.
-// A turn reads at most 256 bytes, or works for 150 µs. A line is in one queue at most.
+// The flow through the folder: a source (source.hpp: the robot port or the pseudo-terminals) gives
+// LineSessions (sessions.hpp) a stream (stream.hpp), which opens a line of the cell and a
+// LineSession (session.hpp), and adds it here. LineWatch (watch.hpp) reports streams with events.
+// Such a session waits in the queue `ready`, one that has used up its turn in `busy`; the queues
+// have turns alternately, so that an inquiry waits for at most one turn of a line that floods, and
+// a flood gets its turns beside a thousand inquiries. A turn reads at most 256 bytes from the
+// stream, or works for 150 us: the cell executes them, and the replies in the line's outbox are
+// written. The event loop calls run_turns() when the watch has events, and run_due_turns() after
+// each handler. Before a call that moves time, ArrivedBytes (arrived.hpp) reads what had arrived.
+// DueTimer and SilenceTimer advance the cell when no input does.
 #pragma once
 
 #include <array>
@@ -60,8 +65,8 @@ class LineTurns {
   LineSession::Turn run_turn(SessionNumber number);
   /// Gives a session a turn soon, after all handlers that are ready now.
   void wake(SessionNumber number);
-  /// Looks for lines with news, among them streams that have ended, and gives each a turn now.
-  void run_news();
+  /// Polls for lines with events, among them streams that have ended, and gives each a turn now.
+  void run_events();
 
   /// LineTransports::pause(), of all cells together.
   asio::awaitable<void> pause();
@@ -80,10 +85,10 @@ class LineTurns {
 
   asio::awaitable<void> run();
   void run_for(WallNs time);
-  void queue_news();
+  void queue_events();
   void add_to(Queue& queue, SessionNumber number);
   Queue& next_queue();
-  SessionNumber take_first(Queue& queue);
+  SessionNumber pop_front(Queue& queue);
   bool has_waiting() const { return !ready_.empty() || !busy_.empty(); }
   void schedule();
   std::shared_ptr<LineSession> greediest() const;

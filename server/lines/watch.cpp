@@ -35,16 +35,16 @@ void LineWatch::close() {
   set_.close(ignored);
 }
 
-std::span<const LineWatch::News> LineWatch::news() {
+std::span<const LineWatch::WatchEvent> LineWatch::poll() {
   if (!set_.is_open()) return {};
-  const int count = ::epoll_wait(set_.native_handle(), events_.data(), kMaxNews, 0);
+  const int count = ::epoll_wait(set_.native_handle(), events_.data(), kMaxEvents, 0);
   std::size_t filled = 0;
   for (; static_cast<int>(filled) < count; ++filled) {
     const epoll_event& event = events_[filled];
     const bool is_end = (event.events & (EPOLLRDHUP | EPOLLHUP | EPOLLERR)) != 0;
-    news_[filled] = {event.data.u32, is_end, (event.events & EPOLLERR) != 0};
+    reported_[filled] = {event.data.u32, is_end, (event.events & EPOLLERR) != 0};
   }
-  return {news_.data(), filled};
+  return {reported_.data(), filled};
 }
 
 }  // namespace xr3

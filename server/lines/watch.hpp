@@ -20,7 +20,7 @@ using SessionNumber = std::uint32_t;
 class LineWatch {
  public:
   /// A line has received bytes, has become writable, or has ended.
-  struct News {
+  struct WatchEvent {
     SessionNumber session = 0;
     bool is_end = false;   ///< end of stream or broken connection: read to the end
     bool is_loss = false;  ///< broken connection
@@ -35,19 +35,19 @@ class LineWatch {
   /// it. Returns false if the system refuses.
   bool add(int descriptor, SessionNumber session);
 
-  /// Waits for news. Returns false if closed. Throws boost::system::system_error.
+  /// Waits for events. Returns false if closed. Throws boost::system::system_error.
   asio::awaitable<bool> wait();
   void close();
   bool is_open() const { return set_.is_open(); }
 
-  /// The news now, at most kMaxNews; may be empty. Valid until the next call.
-  std::span<const News> news();
-  static constexpr std::size_t kMaxNews = 1024;
+  /// The events now, at most kMaxEvents; may be empty. Valid until the next call.
+  std::span<const WatchEvent> poll();
+  static constexpr std::size_t kMaxEvents = 1024;
 
  private:
   asio::posix::stream_descriptor set_;
-  std::array<epoll_event, kMaxNews> events_{};
-  std::array<News, kMaxNews> news_{};
+  std::array<epoll_event, kMaxEvents> events_{};
+  std::array<WatchEvent, kMaxEvents> reported_{};
 };
 
 }  // namespace xr3

@@ -216,7 +216,7 @@ asio::awaitable<bool> BeastWebsocket::read_text() {
   const auto [error, count] = co_await stream_.async_read(received_, kAwait);
   is_reading_ = false;
   last_received_ = SteadyClock::now();
-  socket_->note_bytes(count);
+  socket_->count_bytes(count);
   if (error) co_return false;
   if (stream_.got_text() && !ends_within_character(text_in(received_))) co_return true;
   if (!std::exchange(is_closing_, true)) {
@@ -243,7 +243,7 @@ void BeastWebsocket::pump() {
   if (message_ || is_closing_ || !session_ || !socket_->is_open()) return;
   message_ = session_->next_output();
   if (message_) {
-    socket_->note_bytes(message_->size());
+    socket_->count_bytes(message_->size());
     stream_.async_write(asio::buffer(*message_),
                         [self = self()](ErrorCode error, std::size_t) { self->written(error); });
   } else if (session_->client().has_ended()) {

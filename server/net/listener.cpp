@@ -100,14 +100,15 @@ ErrorCode Listener::begin(tcp::acceptor acceptor) {
   ErrorCode error;
   acceptor.non_blocking(true, error);
   if (error) return error;
-  if (entrances_.empty()) endpoint_ = acceptor.local_endpoint(error);
-  Entrance& kept = entrances_.emplace_back(Entrance{std::move(acceptor), asio::steady_timer(io_)});
+  if (acceptors_.empty()) endpoint_ = acceptor.local_endpoint(error);
+  BoundAcceptor& kept =
+      acceptors_.emplace_back(BoundAcceptor{std::move(acceptor), asio::steady_timer(io_)});
   spawn_loop(io_.get_executor(), name_, run(kept));
   return error;
 }
 
-asio::awaitable<void> Listener::run(Entrance& entrance) {
-  auto& [acceptor, retry] = entrance;
+asio::awaitable<void> Listener::run(BoundAcceptor& bound) {
+  auto& [acceptor, retry] = bound;
   while (acceptor.is_open()) {
     const auto [error] = co_await acceptor.async_wait(tcp::acceptor::wait_read, kAwait);
     if (!acceptor.is_open()) co_return;
@@ -119,9 +120,9 @@ asio::awaitable<void> Listener::run(Entrance& entrance) {
 }
 
 void Listener::accept_pending() {
-  for (Entrance& entrance : entrances_) {
+  for (BoundAcceptor& bound : acceptors_) {
     ErrorCode error;
-    while (entrance.acceptor.is_open() && !error) error = accept_one(entrance.acceptor);
+    while (bound.acceptor.is_open() && !error) error = accept_one(bound.acceptor);
   }
 }
 
@@ -131,18 +132,18 @@ bool Listener::accept_some(tcp::acceptor& acceptor) {
     error = accept_one(acceptor);
   const bool is_done = !error || error == asio::error::would_block ||
                        error == asio::error::try_again || !acceptor.is_open();
-  if (!is_done) note_failure(error);
+  if (!is_done) report_failure(error);
   return is_done;
 }
 
 std::string Listener::trouble() const {
-  const auto is_open = [](const Entrance& each) { return each.acceptor.is_open(); };
-  if (entrances_.empty() || !std::ranges::all_of(entrances_, is_open))
+  const auto is_open = [](const BoundAcceptor& each) { return each.acceptor.is_open(); };
+  if (acceptors_.empty() || !std::ranges::all_of(acceptors_, is_open))
     return std::string(name_) + " is closed";
   return failure_ ? std::string(name_) + " cannot accept a connection: " + failure_.message() : "";
 }
 
-void Listener::note_failure(ErrorCode error) {
+void Listener::report_failure(ErrorCode error) {
   ++failures_;
   if (std::exchange(failure_, error)) return;
   spdlog::error("{} cannot accept a connection: {} (reported once until it can)", name_,
@@ -176,9 +177,9 @@ ErrorCode Listener::hand_over(NewConnection connection) {
 
 void Listener::close() {
   ErrorCode ignored;
-  for (Entrance& entrance : entrances_) {
-    entrance.acceptor.close(ignored);
-    entrance.retry.cancel();
+  for (BoundAcceptor& bound : acceptors_) {
+    bound.acceptor.close(ignored);
+    bound.retry.cancel();
   }
 }
 

@@ -68,22 +68,22 @@ class Listener {
   void close();
 
  private:
-  struct Entrance {
+  struct BoundAcceptor {
     tcp::acceptor acceptor;
     asio::steady_timer retry;  ///< after a failure to accept
   };
 
   ErrorCode begin(tcp::acceptor acceptor);
-  asio::awaitable<void> run(Entrance& entrance);
+  asio::awaitable<void> run(BoundAcceptor& bound);
   /// Accepts a few connections. False if one is pending that cannot be accepted now.
   bool accept_some(tcp::acceptor& acceptor);
   ErrorCode accept_one(tcp::acceptor& acceptor);
   ErrorCode hand_over(NewConnection connection);
-  void note_failure(ErrorCode error);
+  void report_failure(ErrorCode error);
 
   asio::io_context& io_;
   const char* name_;
-  std::list<Entrance> entrances_;
+  std::list<BoundAcceptor> acceptors_;
   Accepted accepted_;
   tcp::endpoint endpoint_;
   std::uint64_t failures_ = 0;

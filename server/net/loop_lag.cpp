@@ -13,7 +13,7 @@ void LoopLag::measure() {
     is_measuring_ = false;
     const WallNs now = wall_now();
     record(now - due, now);
-    if (is_busy_()) note_work();
+    if (is_busy_()) begin_measurement();
   });
 }
 

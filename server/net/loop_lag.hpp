@@ -22,7 +22,7 @@ class LoopLag {
       : timer_(io), is_busy_(std::move(is_busy)) {}
 
   /// Begins a measurement at new work, unless one is under way.
-  void note_work() {
+  void begin_measurement() {
     if (!is_measuring_) measure();
   }
   /// Ends all measurements; sets no further timer.

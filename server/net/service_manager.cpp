@@ -37,8 +37,8 @@ std::string variable(const char* name) {
 
 /// A whole number from 1; nullopt with a warning for any other text.
 std::optional<std::int64_t> number_in(const char* name, const std::string& text) {
-  constexpr auto kMost = std::numeric_limits<std::int64_t>::max();
-  if (const auto number = whole_number<std::int64_t>(text, 1, kMost)) return number;
+  constexpr auto kMax = std::numeric_limits<std::int64_t>::max();
+  if (const auto number = whole_number<std::int64_t>(text, 1, kMax)) return number;
   spdlog::warn("{} is ignored: it is a whole number from 1, set by the service manager", name);
   return std::nullopt;
 }

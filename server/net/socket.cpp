@@ -72,7 +72,7 @@ std::string_view MonitorSocket::read_arrived() {
 std::string_view MonitorSocket::received(ErrorCode error, std::size_t count) {
   if (error && error != asio::error::eof) close();
   if (!is_open()) return {};
-  note_bytes(count);
+  count_bytes(count);
   is_unacknowledged_ = count > 0;
   return {buffer_.data(), count};
 }
@@ -97,7 +97,7 @@ std::size_t MonitorSocket::send_some(std::span<const asio::const_buffer> buffers
                                                 : socket_->write_some(buffers, error);
   if (error && !must_wait(error)) close();
   if (count > 0) is_unacknowledged_ = false;
-  note_bytes(asio::buffer_size(buffers));
+  count_bytes(asio::buffer_size(buffers));
   return count;
 }
 
@@ -124,7 +124,7 @@ asio::awaitable<void> MonitorSocket::linger() {
   for (std::size_t forgotten = 0; is_open() && forgotten < kMaxLingerBytes;) {
     const auto [error, count] = co_await socket_->async_read_some(asio::buffer(buffer_), kAwait);
     if (error) break;
-    note_bytes(count);
+    count_bytes(count);
     forgotten += count;
   }
   close();

@@ -44,7 +44,7 @@ class MonitorSocket {
   std::size_t send_some(std::span<const asio::const_buffer> buffers);
 
   /// Counts bytes that users with their own I/O have received or queued.
-  void note_bytes(std::size_t bytes) const { note(limit_, bytes); }
+  void count_bytes(std::size_t bytes) const { note(limit_, bytes); }
 
   /// Calls `ready` when more can be sent or the connection is lost, after at most 30 s.
   void when_writable(std::function<void()> ready);

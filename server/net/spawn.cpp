@@ -14,8 +14,8 @@ namespace {
 void end_session(const char* name, const std::exception_ptr& failure) {
   try {
     if (failure) std::rethrow_exception(failure);
-  } catch (const VitalFailure&) {
-    fail_vitally(name, failure);
+  } catch (const FatalFailure&) {
+    fail_fatally(name, failure);
   } catch (const std::exception& error) {
     spdlog::error("{}: a connection has failed and is closed: {}", name, error.what());
   } catch (...) {
@@ -28,7 +28,7 @@ void end_session(const char* name, const std::exception_ptr& failure) {
 void spawn_loop(const asio::any_io_executor& executor, const char* name,
                 asio::awaitable<void> loop) {
   asio::co_spawn(executor, std::move(loop), [name](const std::exception_ptr& failure) {
-    if (failure) fail_vitally(name, failure);
+    if (failure) fail_fatally(name, failure);
   });
 }
 

@@ -39,7 +39,7 @@ void PtyPort::close() {
 }
 
 void PtyPort::notice() {
-  vital(kPtyName, [this] {
+  fatal_if_throws(kPtyName, [this] {
     round_ended_.cancel();
     if (is_closing_) return;
     accept_arrived();

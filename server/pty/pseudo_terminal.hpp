@@ -14,7 +14,7 @@ namespace xr3 {
 /// The settings of a program on the slave side, without the frame, which the driver drops.
 struct PtyModes {
   std::uint32_t baud = 0;
-  bool is_cooked = false;  ///< it echoes, or edits lines: replies come back as commands
+  bool is_cooked = false;  ///< echoes or edits lines, so that replies return as commands
 
   bool operator==(const PtyModes&) const = default;
 };

@@ -115,7 +115,7 @@ void PtyPump::run() {
   for (bool goes_on = true; goes_on;) {
     wait();
     goes_on = report(work());
-    if (has_news_ && goes_on) notify();
+    if (must_notify_ && goes_on) notify();
   }
 }
 
@@ -136,13 +136,13 @@ void PtyPump::wait() {
       {unless_failed(has_line, line_.get()), events(replies_, bytes_), 0},
       {unless_failed(can_move, terminal_.master()), events(bytes_, replies_), 0},
   }};
-  ::poll(all.data(), all.size(), has_failed_ || has_news_ ? kRetryMs : -1);
+  ::poll(all.data(), all.size(), has_failed_ || must_notify_ ? kRetryMs : -1);
   is_line_over_ = (all[2].revents & POLLHUP) != 0;
   ::eventfd_t count = 0;
   if (::eventfd_read(wake_.get(), &count) == 0) round_ += count;
 }
 
-/// Returns the exception of the pass, or null.
+/// Returns the exception of the pass; nullptr if there is none.
 std::exception_ptr PtyPump::work() {
   try {
     pass();
@@ -158,15 +158,15 @@ bool PtyPump::report(std::exception_ptr failure) {
   const std::scoped_lock use(shared_.use);
   shared_.failure = std::move(failure);
   const bool has_round_ended = std::exchange(shared_.rounds_ended, round_) != round_;
-  has_news_ = has_news_ || has_round_ended || had_failed != has_failed_;
+  must_notify_ = must_notify_ || has_round_ended || had_failed != has_failed_;
   return !shared_.is_closing || line_.is_open();
 }
 
 void PtyPump::notify() {
   try {
     notify_();
-    has_news_ = false;
-  } catch (const std::bad_alloc&) {  // it is tried again after a second
+    must_notify_ = false;
+  } catch (const std::bad_alloc&) {  // tried again after a second
   }
 }
 
@@ -174,7 +174,7 @@ void PtyPump::pass() {
   if (line_.is_open()) is_leaving_ ? await_end() : serve();
   if (line_.is_open() || is_closing()) return;
   if (is_spoilt_) renew();
-  look_for_program();
+  find_program();
 }
 
 bool PtyPump::is_closing() {
@@ -185,8 +185,8 @@ bool PtyPump::is_closing() {
 // --- Programs that come and go.
 
 // A program that has only changed the settings, such as `stty -F PATH`, is no line.
-void PtyPump::look_for_program() {
-  const bool was_opened = take_opens();
+void PtyPump::find_program() {
+  const bool was_opened = drain_opens();
   if (is_program_there()) return begin_line();
   if (!was_opened) return;
   prepare();
@@ -200,7 +200,7 @@ bool PtyPump::is_program_there() const {
 }
 
 /// Whether the slave has been opened since the last call.
-bool PtyPump::take_opens() const {
+bool PtyPump::drain_opens() const {
   std::array<char, 4096> events{};
   return ::read(opens_.get(), events.data(), events.size()) > 0;
 }
@@ -212,7 +212,7 @@ void PtyPump::prepare() {
   } catch (const std::exception&) {
     is_spoilt_ = true;
   }
-  take_opens();
+  drain_opens();
 }
 
 // The new terminal is watched before a program can find it.
@@ -241,7 +241,7 @@ void PtyPump::begin_line() {
   shared_.line = std::move(theirs);
   line_ = std::move(mine);
   offset_ = 0;
-  has_news_ = true;
+  must_notify_ = true;
 }
 
 void PtyPump::serve() {
@@ -264,14 +264,14 @@ bool PtyPump::move_replies() {
 void PtyPump::move_bytes(bool has_bytes) {
   if (has_bytes && bytes_.is_empty()) {
     const ::ssize_t count = bytes_.fill(terminal_.master());
-    if (count > 0) note_settings();
+    if (count > 0) record_settings();
     if (count > 0) offset_ += static_cast<std::uint64_t>(count);
   }
   bytes_.drain(line_.get());
 }
 
 // Those that the terminal has after the read: so no byte acts with older ones than its own.
-void PtyPump::note_settings() {
+void PtyPump::record_settings() {
   const PtyModes now = terminal_.modes();
   if (now == modes_) return;
   const std::scoped_lock use(shared_.use);

@@ -1,17 +1,15 @@
 // The owner of a pseudo-terminal: a thread that moves bytes between the terminal and a socket pair.
 //
-// A program opens the terminal, of which inotify tells the thread. It makes a socket pair, keeps
-// one end and shares the other (`PtyShared::line`), which the event loop accepts as a line (`port`,
-// `stream`). Then the thread moves bytes in both directions until one side ends:
-// - The last program closes the terminal. The thread moves the rest of its bytes, makes the
-//   terminal ready for the next program, and shuts its end of the pair down for writing. The event
-//   loop reads to the end and closes the line; replies are discarded meanwhile.
-// - The event loop closes its end, since the server has ended the line. The thread replaces the
-//   terminal, so that its programs see a hangup.
-//
-// Only the thread polls, reads and writes the terminal. These calls wait for the worker of the
-// kernel that hands on the bytes of programs. A program that opens and closes its terminal, or
-// changes its modes, without end keeps this worker busy for milliseconds.
+// The flow through the folder: a program opens the terminal (pseudo_terminal.hpp) by its link
+// (link.hpp), which inotify reports to the thread. The thread makes a socket pair, keeps one end
+// and shares the other (`PtyShared::line`), which the event loop accepts as a line (port.hpp,
+// stream.hpp). Then it moves bytes in both directions until one side ends. If the last program
+// closes the terminal, the thread moves the rest of its bytes, makes the terminal ready for the
+// next program, and shuts its end of the pair down for writing; the event loop reads to the end and
+// closes the line, and replies are discarded meanwhile. If the event loop closes its end, since the
+// server has ended the line, the thread replaces the terminal, so that its programs see a hangup.
+// Only the thread polls, reads and writes the terminal: these calls wait for a worker of the
+// kernel, which a program that opens, closes or sets its terminal without end keeps busy.
 #pragma once
 
 #include <sys/types.h>
@@ -37,8 +35,7 @@ class PtyPump {
   PtyPump(const std::string& path, ::mode_t rights, std::function<void()> notify);
   PtyPump(const PtyPump&) = delete;
   PtyPump& operator=(const PtyPump&) = delete;
-  /// Waits for the end of the thread, then removes terminal and link. Precondition: the event loop
-  /// has closed its lines.
+  /// Waits for the end of the thread, which is that of its line, then removes terminal and link.
   ~PtyPump();
 
   const std::string& path() const { return link_.path(); }
@@ -76,14 +73,14 @@ class PtyPump {
   void notify();
   void pass();
   bool is_closing();
-  void look_for_program();
+  void find_program();
   bool is_program_there() const;
-  bool take_opens() const;
+  bool drain_opens() const;
   void begin_line();
   void serve();
   bool move_replies();
   void move_bytes(bool has_bytes);
-  void note_settings();
+  void record_settings();
   void leave();
   void await_end();
   void end_line(bool is_spoilt);
@@ -106,14 +103,14 @@ class PtyPump {
   Flow bytes_;
   Flow replies_;
   std::uint64_t round_ = 0;    ///< begun before the pass
-  PtyModes modes_;             ///< of the last byte
-  std::uint64_t offset_ = 0;   ///< of the next byte
+  PtyModes modes_;             ///< modes of the last byte
+  std::uint64_t offset_ = 0;   ///< offset of the next byte
   bool is_open_ = false;       ///< a program has the terminal open
   bool is_leaving_ = false;    ///< no more bytes come for the line, which ends
   bool is_line_over_ = false;  ///< the event loop has closed its end
   bool is_spoilt_ = false;     ///< the terminal must be replaced when the line has ended
   bool has_failed_ = false;    ///< the last pass
-  bool has_news_ = false;      ///< for `notify`
+  bool must_notify_ = false;   ///< `notify` is to be called
 
   std::thread thread_;
 };

@@ -28,12 +28,12 @@ std::size_t PtyStream::read(std::span<char> into) {
   const std::size_t most = std::min<std::uint64_t>(into.size(), alike);
   const std::size_t count = RobotSocket::read(into.first(most));
   offset_ += count;
-  note_more(count == alike);
+  set_has_more(count == alike);
   if (count > 0) ++progress_;
   return count;
 }
 
-std::optional<LineSettings> PtyStream::take_settings(LineId line) {
+std::optional<LineSettings> PtyStream::changed_settings(LineId line) {
   if (modes_ == taken_ || modes_.baud == 0) return std::nullopt;
   taken_ = modes_;
   return LineSettings{line, {modes_.baud, std::nullopt}, modes_.is_cooked};

@@ -14,8 +14,8 @@ class PtyStream final : public RobotSocket {
 
   /// Reads bytes that have the same settings.
   std::size_t read(std::span<char> into) override;
-  /// Those of the bytes that were read last, or at the begin those of the first.
-  std::optional<LineSettings> take_settings(LineId line) override;
+  /// The settings of the bytes that were read last; before the first read, those of the first byte.
+  std::optional<LineSettings> changed_settings(LineId line) override;
   void acknowledge() override {}
   /// The bytes of one round of the thread, which moves more while they are read.
   std::size_t max_settled() const override { return kPtyRound; }
@@ -25,8 +25,8 @@ class PtyStream final : public RobotSocket {
 
   PtyShared& shared_;
   std::uint64_t& progress_;
-  std::uint64_t offset_ = 0;  ///< of the next byte
-  PtyModes modes_;            ///< of the byte before, or of the first one
+  std::uint64_t offset_ = 0;  ///< offset of the next byte
+  PtyModes modes_;            ///< modes of the byte before, or of the first one
   PtyModes taken_;
 };
 

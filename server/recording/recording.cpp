@@ -22,12 +22,12 @@ constexpr std::uint64_t kMebibyte = 1U << 20U;
 }  // namespace
 
 Recording::Recording(asio::io_context& io, Cell& cell, std::string path, RecordingLimits limits,
-                     std::function<void()> acted)
+                     std::function<void()> on_input)
     : io_(io),
       cell_(cell),
       path_(std::move(path)),
       limits_(limits),
-      acted_(std::move(acted)),
+      on_input_(std::move(on_input)),
       recorder_([this](const recording::Entry& entry) { add(entry); }),
       timer_(io),
       last_{0, 0, 0, recording::End{"", "limit"}} {
@@ -116,13 +116,15 @@ std::string Recording::shortage() const {
 // Reports a failure. The cell may be executing an input, so the event is posted.
 void Recording::fail(std::string why) {
   if (std::exchange(is_over_, true)) return;
-  asio::post(io_, [this, why = std::move(why)] { vital("the recording", [&] { report(why); }); });
+  asio::post(io_, [this, why = std::move(why)] {
+    fatal_if_throws("the recording", [&] { report(why); });
+  });
 }
 
 void Recording::report(const std::string& why) {
   cell_.remove_log(recorder_);
   cell_.apply(RecordingFailed{path_, path_ + ": " + why}, wall_now());
-  acted_();
+  on_input_();
 }
 
 void Recording::finish() {

@@ -36,10 +36,10 @@ struct RecordingLimits {
 class Recording {
  public:
   /// Begins the file with the cell's header; without room for that it fails, and makes no file.
-  /// `acted`: called after an event of the cell. Throws FileError. Precondition: no input has been
-  /// applied to the cell.
+  /// `on_input`: called after an event of the cell. Throws FileError. Precondition: no input has
+  /// been applied to the cell.
   Recording(asio::io_context& io, Cell& cell, std::string path, RecordingLimits limits,
-            std::function<void()> acted);
+            std::function<void()> on_input);
   Recording(const Recording&) = delete;
   Recording& operator=(const Recording&) = delete;
   ~Recording();
@@ -64,7 +64,7 @@ class Recording {
   Cell& cell_;
   std::string path_;
   RecordingLimits limits_;
-  std::function<void()> acted_;
+  std::function<void()> on_input_;
   std::optional<RecordingFile> file_;  ///< nullopt if there was no room for it
   recording::RecordingWriter writer_;
   Recorder recorder_;

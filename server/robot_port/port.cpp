@@ -25,8 +25,8 @@ RobotPort::RobotPort(asio::io_context& io, Cell& cell, LineSessions& lines, Robo
 }
 
 void RobotPort::open(NewConnection connection) {
-  if (is_full()) lines_.run_news();  // a client may have closed its line without our notice
-  if (is_full()) return refuse();     // closed without a byte
+  if (is_full()) lines_.run_events();  // a client may have closed its line without our notice
+  if (is_full()) return refuse();      // closed without a byte
   const asio::ip::address peer = machine_of(connection);
   if (is_owned_by_other(peer)) return refuse_other(peer);
   auto place = rules_.peers.take(peer);
@@ -99,7 +99,7 @@ void RobotPort::release_later() {
   });
 }
 
-void RobotPort::line_acted(LineId line) {
+void RobotPort::line_executed(LineId line) {
   const auto peer = peers_of_lines_.find(line);
   if (peer != peers_of_lines_.end() && !owner_) become_owner(peer->second);
 }

@@ -18,8 +18,8 @@ struct RobotPortRules {
   std::size_t max_lines;  ///< further connections are closed without a byte
   Guard guard = Guard::kNormal;
   PeerCounts peers = PeerCounts();
-  /// The first address that speaks keeps the port until it had no line for so long; nullopt: the
-  /// port is for everybody (--bind-peer).
+  /// With --bind-peer: the first address that sends a byte keeps the port until it had no line for
+  /// this time. nullopt if all addresses may use the port.
   std::optional<WallNs> owner_lingers = {};
 };
 
@@ -29,7 +29,7 @@ class RobotPort final : public LineSource {
   RobotPort(asio::io_context& io, Cell& cell, LineSessions& lines, RobotPortRules rules);
   /// Binds and starts to accept; endpoint() is then valid. Returns the error.
   ErrorCode listen(const tcp::endpoint& endpoint) { return listener_.listen(endpoint); }
-  /// The same for a socket that listens already, which the port owns from now on.
+  /// Starts to accept on a socket that listens already, which the port then owns.
   ErrorCode adopt(int listening) { return listener_.adopt(listening); }
   tcp::endpoint endpoint() const { return listener_.endpoint(); }
   /// Accepts no further connection.
@@ -40,11 +40,11 @@ class RobotPort final : public LineSource {
   bool is_full() const { return open_ >= rules_.max_lines; }
 
   void accept_arrived() override { listener_.accept_pending(); }
-  void line_acted(LineId line) override;
+  void line_executed(LineId line) override;
   void line_ended(LineId line, LineCloseReason) override;
 
   PortCounters counters() const override { return {refused_, listener_.failures(), other_peers_}; }
-  /// The address that keeps the port; nullopt: none.
+  /// The address that keeps the port; nullopt if there is none.
   const std::optional<asio::ip::address>& owner() const { return owner_; }
   /// Closes the owner's lines: the port belongs to the next address that speaks. Returns the owner.
   std::optional<asio::ip::address> release_owner();
@@ -68,7 +68,7 @@ class RobotPort final : public LineSource {
   std::uint64_t refused_ = 0;
   std::optional<asio::ip::address> owner_;
   std::map<LineId, asio::ip::address> peers_of_lines_;  ///< with --bind-peer
-  asio::steady_timer release_;                          ///< of the owner
+  asio::steady_timer release_;                          ///< when the owner loses the port
   std::uint64_t other_peers_ = 0;  ///< connections closed since another address has the port
   WallNs next_other_log_ = 0;
   bool is_closed_ = false;

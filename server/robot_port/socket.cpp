@@ -1,8 +1,10 @@
 #include "server/robot_port/socket.hpp"
 
+#include <fcntl.h>
 #include <sys/socket.h>
 
 #include <array>
+#include <cassert>
 #include <cerrno>
 #include <utility>
 
@@ -24,7 +26,16 @@ void discard_input(int descriptor) {
   }
 }
 
+[[maybe_unused]] bool is_non_blocking(const Descriptor& connection) {
+  return (::fcntl(connection.get(), F_GETFL) & O_NONBLOCK) != 0;
+}
+
 }  // namespace
+
+RobotSocket::RobotSocket(Descriptor connection, std::string early)
+    : connection_(std::move(connection)), early_(std::move(early)) {
+  assert(is_non_blocking(connection_));
+}
 
 // Early bytes and those of the kernel are one read, since a read that fills less than `into` means
 // that nothing is left. After early bytes the end of the connection is found by the next read.
@@ -39,8 +50,8 @@ std::size_t RobotSocket::read(std::span<char> into) {
     is_unacknowledged_ = true;
     return all;
   }
-  if (count == 0) note_ended();
-  if (count < 0 && !must_wait()) note_lost();
+  if (count == 0) set_ended();
+  if (count < 0 && !must_wait()) set_lost();
   return 0;
 }
 
@@ -52,7 +63,7 @@ std::size_t RobotSocket::write(std::string_view bytes) {
     is_unacknowledged_ = false;
     return static_cast<std::size_t>(count);
   }
-  if (!must_wait()) note_lost();
+  if (!must_wait()) set_lost();
   return 0;
 }
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <string>
-#include <utility>
 
 #include "server/files/descriptor.hpp"
 #include "server/lines/stream.hpp"
@@ -14,8 +13,7 @@ class RobotSocket : public LineStream {
  public:
   /// `early`: bytes of the connection that were read before; read() returns them first.
   /// Precondition: the connection is non-blocking.
-  explicit RobotSocket(Descriptor connection, std::string early = {})
-      : connection_(std::move(connection)), early_(std::move(early)) {}
+  explicit RobotSocket(Descriptor connection, std::string early = {});
   ~RobotSocket() override { RobotSocket::close(); }
 
   int descriptor() const override { return connection_.get(); }

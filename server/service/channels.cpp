@@ -85,7 +85,7 @@ void MonitorChannels::carry_out(const CellPtr& at, MonitorSession& session,
   else if (!follow_frames(*at, session, id, wanted))
     return;
   at->hub().add(session);
-  at->hub().acted();
+  at->hub().changed();
 }
 
 void MonitorChannels::follow_overview(MonitorSession& session, const monitor::RequestId& id,

@@ -64,7 +64,7 @@ void Overview::restart(MonitorSession& session) {
   begin();
 }
 
-void Overview::acted(HostedCell& cell) {
+void Overview::changed(HostedCell& cell) {
   if (sessions_.empty() || cell.is_retired()) return;
   const bool was_quiet = changed_.empty() && !is_behind_;
   changed_.insert(&cell);

@@ -1,6 +1,7 @@
-// The subscribers of the channel `overview`, and what they have yet to see. At most kPerSecond
-// rounds a second look at the cells that have acted or move; all subscribers of equal rights share
-// the bytes of a message. The rounds take a tenth of the time at most, and at rest none runs.
+// The subscribers of the channel `overview`, and the changes that each has yet to receive. At most
+// kPerSecond rounds a second examine the cells that have had input or move; all subscribers of
+// equal rights share the bytes of a message. The rounds take a tenth of the time at most, and at
+// rest none runs.
 #pragma once
 
 #include <deque>
@@ -39,7 +40,7 @@ class Overview {
   void restart(MonitorSession& session);
 
   /// To be called after an input of the cell, and for a new one.
-  void acted(HostedCell& cell);
+  void changed(HostedCell& cell);
   /// The cell closes.
   void forget(const HostedCell& cell);
   void stop();

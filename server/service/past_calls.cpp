@@ -180,7 +180,7 @@ asio::awaitable<void> PastCalls::carry_out(CallOf of, const monitor::Seek& seek)
   const std::optional<Moment> moment = co_await make_moment(of, seek.at, none);
   if (!moment) co_return;
   of.cell().apply(Rewind{moment->machine, moment->wanted}, wall_now());
-  of.at->acted();
+  of.at->after_input();
   of.session.send(monitor::result(of.id(), value_now(of.cell())));
 }
 
@@ -218,7 +218,7 @@ asio::awaitable<void> PastCalls::carry_out(CallOf of, const monitor::Live&) {
   of.cell().catch_up(wall_now());
   of.session.send(monitor::result(of.id(), value_now(of.cell())));
   of.session.client().release_frames(of.at->name());
-  of.at->hub().acted();
+  of.at->hub().changed();
   co_return;
 }
 

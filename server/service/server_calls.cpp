@@ -26,7 +26,7 @@ asio::awaitable<void> ServerCalls::carry_out(CallOf of, const monitor::Describe&
   Json value = of.at ? value_now(of.cell()) : Json{{"epoch", nullptr}, {"tick", nullptr}};
   value.update(monitor::description(describe.fn));
   of.session.send(monitor::result(of.id(), value));
-  if (of.at) of.at->acted();
+  if (of.at) of.at->after_input();
   co_return;
 }
 

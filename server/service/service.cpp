@@ -56,9 +56,9 @@ MonitorService::MonitorService(asio::io_context& io, CellRegistry& cells, Worker
 
 // --- Cells.
 
-void MonitorService::acted(HostedCell& cell) {
-  note_work();
-  overview_.acted(cell);
+void MonitorService::changed(HostedCell& cell) {
+  measure_loop();
+  overview_.changed(cell);
 }
 
 void MonitorService::stop() {
@@ -154,14 +154,14 @@ struct MonitorService::Dispatch {
       session.send(service.sessions_.unknown_cell(session, request));
     } else {
       monitor::Message answer = co_await service.calls_.carry_out(of, call);
-      at->acted();
+      at->after_input();
       session.send(std::move(answer));
     }
   }
 };
 
 asio::awaitable<void> MonitorService::carry_out(MonitorSession& session, monitor::Request request) {
-  note_work();
+  measure_loop();
   if (monitor::Message refusal = MonitorSessions::refuse(session, monitor::heading_of(request))) {
     session.send(std::move(refusal));
     co_return;

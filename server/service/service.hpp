@@ -8,8 +8,8 @@
 // `unsub` and `get`, ServerCalls (server_calls.hpp) for calls on the server, PastCalls
 // (past_calls.hpp) for those on a cell's past, and MonitorCalls (calls.hpp, line_calls.cpp) for the
 // others: these apply an input to the cell and describe the result. The Overview (overview.hpp)
-// shows all cells to its subscribers, a few rounds a second. After each input of a cell acted()
-// tells the overview; frames of one cell go by its SubscriberHub in server/session.
+// shows all cells to its subscribers, a few rounds a second, after changed() has marked those that
+// had input. The frames of one cell go by its SubscriberHub in server/session.
 #pragma once
 
 #include <functional>
@@ -57,10 +57,10 @@ class MonitorService {
   /// the coroutine.
   asio::awaitable<void> carry_out(MonitorSession& session, monitor::Request request);
 
-  /// An input of a cell has acted: shows it in the overview, and measures the event loop.
-  void acted(HostedCell& cell);
-  /// The server has work to do for a client: measures the event loop.
-  void note_work() { lag_.note_work(); }
+  /// To be called after an input of a cell: shows it in the overview, and measures the event loop.
+  void changed(HostedCell& cell);
+  /// Measures the delay of the event loop, which has work to do for a client.
+  void measure_loop() { lag_.begin_measurement(); }
   /// A cell is about to close: its subscriptions end, and its statistics remain in counters().
   void forget(HostedCell& cell);
   /// For the end of the process: starts no timer any more, except for waiting requests.

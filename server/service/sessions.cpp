@@ -49,8 +49,8 @@ void MonitorSessions::remove(MonitorSession& session) {
     if (!at) continue;
     try {
       at->cell().apply(LineClosed{line, LineCloseReason::kClientClosed}, wall_now());
-      at->acted();
-    } catch (const VitalFailure& failure) {  // must not leave a destructor
+      at->after_input();
+    } catch (const FatalFailure& failure) {  // must not leave a destructor
       asio::post(io_, [failure] { throw failure; });
     }
   }

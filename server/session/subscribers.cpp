@@ -71,8 +71,8 @@ bool SubscriberHub::has_followers() const {
 
 // --- Timing.
 
-void SubscriberHub::acted() {
-  vital("the sessions", [this] { wake_soon(); });
+void SubscriberHub::changed() {
+  fatal_if_throws("the sessions", [this] { wake_soon(); });
 }
 
 void SubscriberHub::wake_soon() {
@@ -91,7 +91,7 @@ void SubscriberHub::arm_frame() {
   armed_ = Wake::kFrame;
   armed_frame_ = now;
   timer_.cancel();
-  asio::post(io_, [this] { beat(); });
+  asio::post(io_, [this] { tick(); });
 }
 
 void SubscriberHub::arm_at(monitor::FrameNumber frame) {
@@ -103,7 +103,7 @@ void SubscriberHub::arm_second() { arm(Wake::kSecond, wall_now() + kSecond); }
 
 void SubscriberHub::arm(Wake wake, WallNs when) {
   armed_ = wake;
-  run_at(timer_, when, [this] { beat(); });
+  run_at(timer_, when, [this] { tick(); });
 }
 
 void SubscriberHub::stop() {
@@ -113,7 +113,7 @@ void SubscriberHub::stop() {
 
 // --- Serving.
 
-void SubscriberHub::beat() {
+void SubscriberHub::tick() {
   armed_ = Wake::kNone;
   if (is_stopped_ || is_serving_) return;
   cell_.catch_up(wall_now());

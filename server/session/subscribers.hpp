@@ -38,7 +38,7 @@ class SubscriberHub {
   void remove(MonitorSession& session);
 
   /// The cell or a subscription has changed: serves all sessions at the next point of the grid.
-  void acted();
+  void changed();
   void stop();
 
   /// The current point of the grid.
@@ -57,7 +57,7 @@ class SubscriberHub {
   void arm_second();
   void arm_at(monitor::FrameNumber frame);
   void arm_frame();
-  void beat();
+  void tick();
   void begin_round();
   void serve_some();
   void serve(MonitorSession& session);
@@ -75,7 +75,7 @@ class SubscriberHub {
   monitor::FrameNumber armed_frame_ = 0;  ///< if armed_ is kFrame
   bool is_stopped_ = false;
   bool is_serving_ = false;          ///< during a round
-  bool has_acted_ = false;           ///< acted() was called during the round
+  bool has_acted_ = false;           ///< changed() was called during the round
   bool is_settled_ = true;           ///< no session of this round waits for a later frame
   monitor::FrameNumber due_ = 0;     ///< the earliest due frame of this round's sessions
   std::size_t next_ = 0;             ///< index of the round's next session

@@ -328,13 +328,13 @@ TEST(Cell, EventsAreInOrderOfTicks) {
 
 // --- Failures.
 
-TEST(Cell, AnExceptionInTheSinkIsAVitalFailure) {
+TEST(Cell, AnExceptionInTheSinkIsAFatalFailure) {
   Cell cell("main", test::rhino(), SimClock::manual(),
             [](const CellEvent&, const Model&) { throw std::bad_alloc(); });
   try {
     cell.apply(LineOpened{"test"}, 0);
     ADD_FAILURE() << "the exception of the sink is lost";
-  } catch (const VitalFailure& failure) {
+  } catch (const FatalFailure& failure) {
     EXPECT_STREQ(failure.what(), "the cell: std::bad_alloc");
   }
 }

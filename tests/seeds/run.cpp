@@ -202,7 +202,7 @@ void Run::serve(const ServeOptions& options, ModelPtr model) {
     code_ = app.run();
   } catch (const std::bad_alloc&) {
     code_ = ExitCode::kInternal;  // main() reports it
-  } catch (const VitalFailure&) {
+  } catch (const FatalFailure&) {
     code_ = ExitCode::kInternal;
   } catch (const ExitError& error) {
     code_ = error.code();

@@ -66,9 +66,9 @@ TEST(LogBudget, TellsOnceASecondHowManyMessagesWereDropped) {
   LogBudget budget(kStart);
   flood(budget, kStart);  // drops the last
   for (int i = 0; i < 4; ++i) EXPECT_FALSE(budget.admit(kStart));
-  EXPECT_EQ(budget.take_dropped(kStart), 0);
-  EXPECT_EQ(budget.take_dropped(kStart + kSecond), 5);
-  EXPECT_EQ(budget.take_dropped(kStart + 2 * kSecond), 0);
+  EXPECT_EQ(budget.drain_dropped(kStart), 0);
+  EXPECT_EQ(budget.drain_dropped(kStart + kSecond), 5);
+  EXPECT_EQ(budget.drain_dropped(kStart + 2 * kSecond), 0);
 }
 
 }  // namespace

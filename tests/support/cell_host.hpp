@@ -12,7 +12,7 @@ namespace xr3::test {
 struct CellHost {
   explicit CellHost(asio::io_context& loop)
       : io(loop),
-        context{io, turns, worker, [this](HostedCell& at) { acted(at); }, nullptr, &histories} {}
+        context{io, turns, worker, [this](HostedCell& at) { on_input(at); }, nullptr, &histories} {}
 
   /// Adds a cell with a manual clock.
   HostedCell& add(ModelPtr model, const std::string& name = "main", CellEventSink sink = {}) {
@@ -26,7 +26,7 @@ struct CellHost {
   LineTurns turns{io};
   Worker worker;
   monitor::ByteBudget histories{1 << 20};
-  std::function<void(HostedCell&)> acted = [](HostedCell&) {};
+  std::function<void(HostedCell&)> on_input = [](HostedCell&) {};
   CellContext context;
   CellRegistry cells;
 };

@@ -45,8 +45,8 @@ class ScriptedStream final : public LineStream {
 
   std::size_t read(std::span<char> into) override {
     EXPECT_FALSE(is_closed_) << "read after close";
-    if (next_is(StreamStep::Kind::kReadEnd)) note_ended();
-    if (next_is(StreamStep::Kind::kReadError)) note_lost();
+    if (next_is(StreamStep::Kind::kReadEnd)) set_ended();
+    if (next_is(StreamStep::Kind::kReadError)) set_lost();
     if (has_ended() || is_lost() || !next_is(StreamStep::Kind::kRead)) return 0;
     std::string& bytes = script_.front().bytes;
     const std::size_t count = std::min(into.size(), bytes.size());
@@ -58,7 +58,7 @@ class ScriptedStream final : public LineStream {
 
   std::size_t write(std::string_view bytes) override {
     EXPECT_FALSE(is_closed_) << "write after close";
-    if (next_is(StreamStep::Kind::kWriteError)) note_lost();
+    if (next_is(StreamStep::Kind::kWriteError)) set_lost();
     if (is_lost() || next_is(StreamStep::Kind::kFull)) return 0;
     EXPECT_TRUE(next_is(StreamStep::Kind::kWrite)) << "a write of " << bytes;
     if (!next_is(StreamStep::Kind::kWrite)) return bytes.size();

@@ -65,7 +65,7 @@ TEST_F(HostedCellTest, CostsLittleAtRest) {
 }
 
 TEST_F(HostedCellTest, ARestingCellArmsNoTimer) {
-  for (int i = 0; i < 3; ++i) host_.add(test::rhino(), std::to_string(i)).acted();
+  for (int i = 0; i < 3; ++i) host_.add(test::rhino(), std::to_string(i)).after_input();
   io_.run();  // returns at once
   EXPECT_EQ(io_.poll(), 0U);
 }
@@ -79,7 +79,7 @@ TEST_F(HostedCellTest, NothingRemainsOfAClosedCell) {
     const LineId line = cell->cell().apply(LineOpened{"test"}, wall_now()).line;
     cell->cell().apply(BytesIn{line, "E+5\rE?"}, wall_now());
     cell->cell().apply(LineClosed{line, LineCloseReason::kClientClosed}, wall_now());
-    cell->acted();
+    cell->after_input();
     host_.cells.remove(*cell);
     cell->retire();
     last = cell;
@@ -94,12 +94,12 @@ TEST_F(HostedCellTest, NothingRemainsOfAClosedCell) {
 TEST_F(HostedCellTest, ARetiredCellIgnoresInputs) {
   const CellPtr cell = host_.add(test::rhino()).shared_from_this();
   int acted = 0;
-  host_.acted = [&acted](HostedCell&) { ++acted; };
-  cell->acted();
+  host_.on_input = [&acted](HostedCell&) { ++acted; };
+  cell->after_input();
   EXPECT_EQ(acted, 1);
   host_.cells.remove(*cell);
   cell->retire();
-  cell->acted();
+  cell->after_input();
   EXPECT_EQ(acted, 1);
   EXPECT_TRUE(cell->is_retired());
 }

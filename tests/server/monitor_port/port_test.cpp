@@ -249,7 +249,7 @@ TEST_F(MonitorPortTest, AFailureOfTheCellEndsTheServer) {
   std::string what;
   try {
     io_.run_for(10s);
-  } catch (const VitalFailure& failure) {
+  } catch (const FatalFailure& failure) {
     what = failure.what();
   }
   fails_ = false;

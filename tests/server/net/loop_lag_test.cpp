@@ -32,14 +32,14 @@ TEST_F(LoopLagTest, AnIdleLoopHasNoTimer) {
 }
 
 TEST_F(LoopLagTest, MeasuresOnceForAnyAmountOfWork) {
-  for (int i = 0; i < 100; ++i) lag_.note_work();
+  for (int i = 0; i < 100; ++i) lag_.begin_measurement();
   EXPECT_EQ(io_.run(), 1U);
   EXPECT_GT(lag_.max_at(wall_now()), 0);
   EXPECT_LT(lag_.max_at(wall_now()), 10'000 * kMillisecond);
 }
 
 TEST_F(LoopLagTest, FindsAHandlerThatTakesLong) {
-  lag_.note_work();
+  lag_.begin_measurement();
   block();
   io_.run();
   EXPECT_GE(lag_.max_at(wall_now()), 95 * kMillisecond);
@@ -47,12 +47,12 @@ TEST_F(LoopLagTest, FindsAHandlerThatTakesLong) {
 
 TEST_F(LoopLagTest, GoesOnWhileTheServerIsBusy) {
   remaining_ = 2;
-  lag_.note_work();
+  lag_.begin_measurement();
   EXPECT_EQ(io_.run(), 3U);
 }
 
 TEST_F(LoopLagTest, ForgetsAfterAMinute) {
-  lag_.note_work();
+  lag_.begin_measurement();
   io_.run();
   const WallNs now = wall_now();
   const WallNs lag = lag_.max_at(now);
@@ -61,11 +61,11 @@ TEST_F(LoopLagTest, ForgetsAfterAMinute) {
 }
 
 TEST_F(LoopLagTest, AfterTheStopNoTimerIsSet) {
-  lag_.note_work();
+  lag_.begin_measurement();
   lag_.stop();
-  lag_.note_work();
+  lag_.begin_measurement();
   EXPECT_EQ(io_.run(), 1U) << "the cancelled timer";
-  lag_.note_work();
+  lag_.begin_measurement();
   io_.restart();
   EXPECT_EQ(io_.run(), 0U);
 }

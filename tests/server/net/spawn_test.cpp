@@ -12,11 +12,11 @@
 namespace xr3 {
 namespace {
 
-/// The message of the VitalFailure that leaves run(); empty if there is none.
+/// The message of the FatalFailure that leaves run(); empty if there is none.
 std::string failure_of(asio::io_context& io) {
   try {
     io.run();
-  } catch (const VitalFailure& failure) {
+  } catch (const FatalFailure& failure) {
     return failure.what();
   }
   return "";
@@ -37,11 +37,11 @@ asio::awaitable<void> fail_later(asio::io_context& io) {
   throw std::runtime_error("no luck");
 }
 
-TEST(Vital, AnExceptionGetsTheNameOfTheInnermostPlace) {
+TEST(FatalIfThrows, AnExceptionGetsTheNameOfTheInnermostPlace) {
   const auto message_of = [](auto work) -> std::string {
     try {
-      vital("outer", [&] { vital("inner", work); });
-    } catch (const VitalFailure& failure) {
+      fatal_if_throws("outer", [&] { fatal_if_throws("inner", work); });
+    } catch (const FatalFailure& failure) {
       return failure.what();
     }
     return "";
@@ -50,7 +50,7 @@ TEST(Vital, AnExceptionGetsTheNameOfTheInnermostPlace) {
   EXPECT_EQ(message_of([] { throw std::runtime_error("no luck"); }), "inner: no luck");
   EXPECT_EQ(message_of([] { throw 7; }), "inner: an exception of unknown type");
   const std::string cut = message_of([] { throw std::runtime_error(std::string(1000, 'x')); });
-  EXPECT_EQ(cut.size(), VitalFailure::kMaxBytes - 1);
+  EXPECT_EQ(cut.size(), FatalFailure::kMaxBytes - 1);
 }
 
 TEST(Spawn, AnExceptionInALoopLeavesRun) {
@@ -79,11 +79,11 @@ TEST(Spawn, AnExceptionInASessionEndsThatSession) {
 }
 
 asio::awaitable<void> fail_in_the_cell() {
-  vital("the cell", [] { throw std::bad_alloc(); });
+  fatal_if_throws("the cell", [] { throw std::bad_alloc(); });
   co_return;
 }
 
-TEST(Spawn, AVitalFailureLeavesTheSession) {
+TEST(Spawn, AFatalFailureLeavesTheSession) {
   asio::io_context io{1};
   spawn_session(io.get_executor(), "monitor", fail_in_the_cell(), [] { ADD_FAILURE(); });
   EXPECT_EQ(failure_of(io), "monitor: the cell: std::bad_alloc");

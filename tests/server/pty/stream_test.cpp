@@ -31,7 +31,7 @@ class PtyStreamTest : public testing::Test {
   }
   /// The speed that is reported now; 0: none.
   std::uint32_t speed() {
-    const auto settings = stream_->take_settings(3);
+    const auto settings = stream_->changed_settings(3);
     return settings ? settings->settings.baud : 0;
   }
 
@@ -64,7 +64,7 @@ TEST_F(PtyStreamTest, EndsWhenTheThreadWritesNoMore) {
 }
 
 TEST_F(PtyStreamTest, BeginsWithTheSettingsOfTheFirstByte) {
-  const auto begin = stream_->take_settings(3);
+  const auto begin = stream_->changed_settings(3);
   ASSERT_TRUE(begin);
   EXPECT_EQ(begin->line, 3U);
   EXPECT_EQ(begin->settings.baud, 9600U);
@@ -80,7 +80,7 @@ TEST_F(PtyStreamTest, BytesHaveTheSettingsWithWhichTheyCame) {
   EXPECT_EQ(speed(), 0U);
   EXPECT_TRUE(stream_->has_more());
   EXPECT_EQ(read(), "F?\n");
-  const auto second = stream_->take_settings(3);
+  const auto second = stream_->changed_settings(3);
   ASSERT_TRUE(second);
   EXPECT_EQ(second->settings.baud, 1200U);
   EXPECT_TRUE(second->is_cooked);

@@ -46,7 +46,7 @@ class RobotPortTest : public testing::Test {
     try {
       io_.restart();
       io_.run_for(std::chrono::seconds(10));
-    } catch (const VitalFailure& failure) {
+    } catch (const FatalFailure& failure) {
       what = failure.what();
     }
     fails_ = false;

@@ -77,7 +77,7 @@ class MonitorServiceTest : public testing::Test {
   void send(const std::string& bytes) {
     if (line_ == 0) line_ = cell_.apply(LineOpened{"test"}, wall_now()).line;
     cell_.apply(BytesIn{line_, bytes}, wall_now());
-    hosted_.acted();
+    hosted_.after_input();
   }
 
   asio::io_context io_{1};
@@ -137,7 +137,7 @@ TEST_F(MonitorServiceTest, ASubscriptionGetsTheMessagesOfItsCell) {
   EXPECT_EQ(second.hub().sessions().size(), 1U);
   EXPECT_EQ(hosted_.hub().sessions().size(), 0U);
   second.cell().apply(LineOpened{"test"}, wall_now());
-  second.acted();
+  second.after_input();
   EXPECT_EQ(wait(one_).front()["cell"], "second");
   ask(one_, R"({"op":"unsub","channel":"event","cell":"second"})");
   EXPECT_EQ(second.hub().sessions().size(), 0U);
@@ -239,14 +239,14 @@ TEST_F(MonitorServiceTest, WithoutACellOnlyTheServerAnswers) {
 
 TEST_F(MonitorServiceTest, TheOverviewShowsAllCellsAndThenChanges) {
   HostedCell& second = host_.add(test::rhino(), "second");
-  host_.acted = [this](HostedCell& cell) { service_.overview().acted(cell); };
+  host_.on_input = [this](HostedCell& cell) { service_.overview().changed(cell); };
   read(one_);
   const std::vector<Json> answers = ask(one_, R"({"op":"sub","channel":"overview"})");
   ASSERT_EQ(answers.size(), 2U);
   EXPECT_TRUE(answers[1]["whole"]);
   EXPECT_EQ(answers[1]["cells"].size(), 2U);
   second.cell().apply(LineOpened{"test"}, wall_now());
-  second.acted();
+  second.after_input();
   const Json change = wait(one_).back();
   EXPECT_FALSE(change["whole"]);
   ASSERT_EQ(change["cells"].size(), 1U);
