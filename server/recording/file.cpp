@@ -82,9 +82,9 @@ std::string unused_path(const std::string& path, std::chrono::system_clock::time
   const std::string ending = std::filesystem::path(path).extension().string();
   const std::string stem = path.substr(0, path.size() - ending.size());
   const std::string name = stem + utc_text(start, "-%Y%m%dT%H%M%SZ");
+  const auto numbered = [&](int run) { return name + "-" + std::to_string(run) + ending; };
   std::string unused = name + ending;
-  for (int run = 2; is_taken(unused) && run <= kMaxRunsOfASecond; ++run)
-    unused = name + "-" + std::to_string(run) + ending;
+  for (int run = 2; is_taken(unused) && run <= kMaxRunsOfASecond; ++run) unused = numbered(run);
   return unused;
 }
 

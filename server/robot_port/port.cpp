@@ -86,7 +86,7 @@ void RobotPort::become_owner(const asio::ip::address& peer) {
 }
 
 std::optional<asio::ip::address> RobotPort::release_owner() {
-  const auto released = std::exchange(owner_, std::nullopt);
+  auto released = std::exchange(owner_, std::nullopt);
   for (const auto& [line, peer] : std::map(peers_of_lines_))
     if (peer == released) lines_.disconnect(line);
   return released;
