@@ -174,7 +174,7 @@ bool HttpResources::is_health_check(const HttpRequest& request) {
 }
 
 asio::awaitable<Answer> HttpResources::answer(const HttpRequest& request) {
-  service_.note_work();
+  service_.measure_loop();
   const std::string_view path = request.path();
   if (wall_now() >= deadline_)
     co_return http::error(503, "not_ready", "the server is stopping", "start it again");

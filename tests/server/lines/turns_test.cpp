@@ -40,7 +40,7 @@ class NotedStream final : public LineStream {
 class LineTurnsTest : public test::LineFixture {
  protected:
   LineTurnsTest() {
-    context_.acted = [this](LineId line) { note(line); };  // a flood has had a turn, or more of it
+    context_.on_input = [this](LineId line) { note(line); };  // a flood has had a turn, or more of it
   }
   ~LineTurnsTest() override {
     for (const auto& [line, number] : numbers_) turns_.remove(number);
