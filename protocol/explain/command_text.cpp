@@ -119,15 +119,16 @@ constexpr int kMaxSevenBits = 127;
 
 void list(std::string& text, const std::string& item) { text += (text.empty() ? "" : ", ") + item; }
 
+template <class C>
+concept HasLabel = requires(const C& command) { command.label; };
+
 /// The joint of an inquiry; empty if it has none.
-std::string label_of(const Command& command) {
-  return std::visit(
-      [](const auto& each) {
-        if constexpr (requires { each.label; }) return std::string{each.label};
-        return std::string{};
-      },
-      command);
-}
+struct LabelOf {
+  std::string operator()(const HasLabel auto& command) const { return std::string{command.label}; }
+  std::string operator()(const auto&) const { return {}; }
+};
+
+std::string label_of(const Command& command) { return std::visit(LabelOf{}, command); }
 
 // Closed switches, from the base outwards.
 std::string closed_switches(const SwitchBits& bits, const ReplyContext& context) {
