@@ -71,7 +71,7 @@ void HostedCell::close(WallNs deadline) {
 }
 
 void HostedCell::retire() {
-  assert(cell_.lines().empty());
+  assert(lines_.is_empty());
   is_retired_ = true;
   close_ports();
   freeze();

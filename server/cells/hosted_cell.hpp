@@ -118,7 +118,7 @@ class HostedCell : public std::enable_shared_from_this<HostedCell> {
   void close_ports();
   void close(WallNs deadline = kNever);
   /// Closes the cell for good, after which it arms no timer. Those that still hold it may use it,
-  /// without effect on others. Precondition: no line is open.
+  /// without effect on others. Precondition: no session of its lines is open.
   void retire();
   bool is_retired() const { return is_retired_; }
   /// Ignores all further inputs, for the end of the process.

@@ -35,9 +35,12 @@ TEST_F(DueTimerTest, ExecutesBytesWhenTheyAreDue) {
   ask(real());
   timer_->update();
   EXPECT_EQ(reply(), "");
-  while (reply().empty() && io_.run_one() > 0) timer_->update();
+  while (reply().empty()) {
+    io_.restart();
+    ASSERT_EQ(io_.run_one(), 1U);
+    timer_->update();
+  }
   EXPECT_EQ(reply(), " ");
-  EXPECT_GE(advances_, 1);
 }
 
 TEST_F(DueTimerTest, WaitsOnceForAByteHoweverOftenItIsUpdated) {

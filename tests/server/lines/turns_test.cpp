@@ -40,7 +40,8 @@ class NotedStream final : public LineStream {
 class LineTurnsTest : public test::LineFixture {
  protected:
   LineTurnsTest() {
-    context_.on_input = [this](LineId line) { note(line); };  // a flood has had a turn, or more of it
+    // A flood has had a turn, or more of it.
+    context_.on_input = [this](LineId line) { note(line); };
   }
   ~LineTurnsTest() override {
     for (const auto& [line, number] : numbers_) turns_.remove(number);
