@@ -1,5 +1,5 @@
-// Which cell a request concerns, and the statistics of all cells. The clock is manual except where a
-// test says otherwise.
+// The cell that a request concerns, and the statistics of all cells. The clock is manual except
+// where a test says otherwise.
 #include "server/service/service.hpp"
 
 #include <gtest/gtest.h>
