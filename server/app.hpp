@@ -4,13 +4,13 @@
 // (files/load_model.hpp) and a token. The App divides descriptors and memory (net/), opens the
 // cells and gives each its ports. Bytes reach a robot through robot_port/ (TCP), pty/
 // (pseudo-terminals) or device/ (a physical controller). lines/ serves the lines in turn, executes
-// their bytes on the cell and writes the replies. A cell is hosted by cells/: it advances the cell
-// by wall time, and tells clients of the monitor about changes. monitor_port/ serves JSON clients
-// and http/ browsers on the other port; long work, such as a picture, runs in a worker thread
-// (net/worker.hpp). recording/ writes the inputs of a cell to a file. Everything else runs in one
-// thread, in the event loop of run(). A signal ends it: ports are closed, lines and connections get
-// a second to drain, and recordings and port file are finished. An exception of a loop ends the
-// process with a message in the log.
+// their bytes on the cell and writes the replies. A cell is hosted by cells/, with the timers that
+// advance it by wall time when no input does. On the other port, monitor_port/ has the transports
+// of JSON clients, session/ their state, service/ their requests, and resources/ and http/ serve
+// browsers. recording/ writes the inputs of a cell to a file. All runs in one thread, in the event
+// loop of run(), except for long work, such as a picture (net/worker.hpp), and the transfer of
+// pseudo-terminals. A signal ends it: ports are closed, lines and connections get a second to
+// drain, and recordings and port file are finished.
 #pragma once
 
 #include <boost/asio/signal_set.hpp>

@@ -1,5 +1,5 @@
-// Refuses connections to the robot port by the bytes that arrive first and together. It is the
-// second check, after `HttpTlsDetector`, which examines single bytes: a web page can choose some
+// Refuses connections to the robot port by the bytes that arrive first and together. It completes
+// `HttpTlsDetector`, which then examines single bytes: a web page can choose some
 // openings so that their first bytes are commands, such as the HTTP method `E+50`. A browser sends
 // the head of a request at once, so the chunk that arrives first reveals it.
 #pragma once

@@ -6,13 +6,6 @@
 
 namespace xr3 {
 
-void RhinoEndpoint::feed(std::uint8_t byte, std::uint64_t offset, Simulation& simulation,
-                         std::string& replies, std::vector<Exchange>& exchanges) {
-  assert(simulation.events().empty());
-  for (const Parsed& item : parse(byte, offset, simulation.state().enabled))
-    execute(item, simulation, replies, exchanges);
-}
-
 const std::vector<Parsed>& RhinoEndpoint::parse(std::uint8_t byte, std::uint64_t offset,
                                                 bool enabled) {
   parsed_.clear();
@@ -26,6 +19,7 @@ const std::vector<Parsed>& RhinoEndpoint::parse(std::uint8_t byte, std::uint64_t
 
 void RhinoEndpoint::execute(const Parsed& item, Simulation& simulation, std::string& replies,
                             std::vector<Exchange>& exchanges) const {
+  assert(simulation.events().empty());
   Exchange& exchange = exchanges.emplace_back(item);
   const Command* command = std::get_if<Command>(&exchange.parsed.what);
   if (command == nullptr) return;

@@ -48,7 +48,8 @@ class LineSession {
     kBlocked,  ///< until the next event: replies are not read, the line waits, or it is closed
   };
 
-  /// Sends what can be sent, then reads and executes at most kBytesATurn bytes, or as many as fit
+  /// Sends what can be sent, then reads and executes at most kBytesATurn bytes (kFirstChunk of a
+  /// new line), or as many as fit
   /// into kTurnTime, and one piece of 64 bytes or one full outbox more. The clock does not affect
   /// the state: it only decides which bytes belong to the next turn.
   Turn run_turn(WallNs now);

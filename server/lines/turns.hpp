@@ -6,10 +6,10 @@
 // Such a session waits in the queue `ready`, one that has used up its turn in `busy`; the queues
 // have turns alternately, so that an inquiry waits for at most one turn of a line that floods, and
 // a flood gets its turns beside a thousand inquiries. A turn reads at most 256 bytes from the
-// stream, or works for 150 us: the cell executes them, and the replies in the line's outbox are
-// written. The event loop calls run_turns() when the watch has events, and run_due_turns() after
-// each handler. Before a call that moves time, ArrivedBytes (arrived.hpp) reads what had arrived.
-// DueTimer and SilenceTimer advance the cell when no input does.
+// stream (4,096 of a new line), or works for 150 us: the cell executes them, and the replies in the
+// line's outbox are written. The event loop calls run_turns() when the watch has events, and
+// run_due_turns() after each handler. Before a call that moves time, ArrivedBytes (arrived.hpp)
+// reads what had arrived. DueTimer and SilenceTimer advance the cell when no input does.
 #pragma once
 
 #include <array>

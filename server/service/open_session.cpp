@@ -1,6 +1,5 @@
 #include "server/service/open_session.hpp"
 
-#include <cassert>
 #include <utility>
 
 namespace xr3 {
@@ -17,7 +16,6 @@ OpenSession::OpenSession(MonitorService& service, MessageSink& sink,
 OpenSession::~OpenSession() { service_.sessions().remove(*this); }
 
 asio::awaitable<void> OpenSession::handle(std::string_view message) {
-  assert(!client().is_full());
   if (auto refusal = service_.refuse(*this, message)) {
     send(std::move(refusal));
   } else if (auto request = client().accept(co_await service_.read(message))) {

@@ -19,8 +19,8 @@ class OpenSession final : public MonitorSession {
               std::optional<std::string> chosen = std::nullopt);
   ~OpenSession();  // NOLINT(bugprone-exception-escape): as in the definition
 
-  /// Carries out one message and queues the answer. Precondition: the previous call has finished,
-  /// and the client's queue is not full.
+  /// Carries out one message at a time, and queues its answer. A transport reads the next message
+  /// only while the client's queue has room.
   asio::awaitable<void> handle(std::string_view message);
 
  private:

@@ -12,6 +12,7 @@
 #include "protocol/explain/command_text.hpp"
 #include "protocol/explain/reply_decoder.hpp"
 #include "protocol/json/source.hpp"
+#include "tests/support/endpoint.hpp"
 #include "tests/support/models.hpp"
 #include "tests/support/rig.hpp"
 #include "tests/support/tap.hpp"
@@ -306,7 +307,7 @@ TEST(Explain, WithoutATelnetFilterTheControllerGetsEveryByte) {
   RhinoEndpoint endpoint(Profile::kPaper);
   std::vector<Exchange> exchanges;
   std::string replies;
-  endpoint.feed(0xff, 0, simulation, replies, exchanges);
+  test::feed(endpoint, 0xff, 0, simulation, replies, exchanges);
   WireRecord record;
   fill_in(record, {}, "\xff", std::nullopt, exchanges, simulation);
   EXPECT_EQ(test::transcript(record, simulation.model()),

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "protocol/monitor/event.hpp"
+#include "tests/support/endpoint.hpp"
 #include "tests/support/models.hpp"
 #include "tests/support/random_bytes.hpp"
 #include "tests/support/tap.hpp"
@@ -60,7 +61,7 @@ TEST(WireRecord, ReusesTheMemoryOfAnOldRecord) {
   RhinoEndpoint endpoint(Profile::kPaper);
   std::vector<Exchange> exchanges;
   std::string replies;
-  endpoint.feed('I', 7, tap.simulation(), replies, exchanges);
+  test::feed(endpoint, 'I', 7, tap.simulation(), replies, exchanges);
   fill_in(record, {2, 3, 4, 7}, "I", std::nullopt, exchanges, tap.simulation());
   EXPECT_EQ(record.items.data(), items);
   EXPECT_EQ(record.shown.data(), shown);

@@ -8,6 +8,7 @@
 
 #include "core/simulation.hpp"
 #include "protocol/explain/diagnostic.hpp"
+#include "tests/support/endpoint.hpp"
 #include "tests/support/models.hpp"
 #include "tests/support/wire.hpp"
 #include "tests/support/words.hpp"
@@ -88,7 +89,7 @@ std::string without_guard(std::string_view bytes, Simulation& simulation) {
   std::vector<Exchange> exchanges;
   for (const char byte : bytes) {
     simulation.take_events();
-    endpoint.feed(static_cast<std::uint8_t>(byte), 0, simulation, replies, exchanges);
+    test::feed(endpoint, static_cast<std::uint8_t>(byte), 0, simulation, replies, exchanges);
   }
   return replies;
 }

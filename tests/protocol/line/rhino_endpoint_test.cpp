@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "protocol/explain/diagnostic.hpp"
+#include "tests/support/endpoint.hpp"
 #include "tests/support/random_bytes.hpp"
 #include "tests/support/rig.hpp"
 #include "tests/support/wire.hpp"
@@ -135,10 +136,10 @@ TEST(RhinoEndpoint, ResetDiscardsAnIncompleteCommand) {
   std::string replies;
   std::vector<Exchange> exchanges;
   for (const char byte : "E+5"sv) {
-    endpoint.feed(static_cast<std::uint8_t>(byte), 0, rig.simulation, replies, exchanges);
+    test::feed(endpoint, static_cast<std::uint8_t>(byte), 0, rig.simulation, replies, exchanges);
   }
   endpoint.reset();
-  endpoint.feed('\r', 3, rig.simulation, replies, exchanges);
+  test::feed(endpoint, '\r', 3, rig.simulation, replies, exchanges);
   EXPECT_EQ(rig.error('E'), 0);
   EXPECT_EQ(endpoint.parser(), RhinoParser(Profile::kPaper));
 }
