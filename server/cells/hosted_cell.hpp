@@ -6,10 +6,10 @@
 // long as a shared pointer to it. Three callers add cells: the App at the start, ConnectionCells
 // (connection_cells.hpp) for each connection of `--cell-per-connection`, and BranchCells
 // (branch_cells.hpp) for copies of a cell's past. After each input, from whatever port, runs
-// after_input(): it wakes the lines whose replies have become due, sets the timers for due bytes and
-// for silence, passes bytes on to a physical controller, and notifies the subscribers. A cell is closed
-// in two steps: close() ends its lines, and retire() its timers, since a request of the monitor may
-// still hold it.
+// after_input(): it wakes the lines whose replies have become due, sets the timers for due bytes
+// and for silence, passes bytes on to a physical controller, and notifies the subscribers. A cell
+// is closed in two steps: close() ends its lines, and retire() its timers, since a request of the
+// monitor may still hold it.
 #pragma once
 
 #include <cassert>
