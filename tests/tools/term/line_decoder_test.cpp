@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "protocol/line/rhino_endpoint.hpp"
+#include "tests/support/endpoint.hpp"
 #include "tests/support/models.hpp"
 #include "tests/support/random_bytes.hpp"
 
@@ -137,7 +138,8 @@ TEST(LineDecoder, FollowsTheController) {
     for (const char byte : bytes) {
       if (!simulation.state().enabled || byte == '@') continue;
       line.send({&byte, 1});
-      endpoint.feed(static_cast<std::uint8_t>(byte), offset++, simulation, replies, exchanges);
+      test::feed(endpoint, static_cast<std::uint8_t>(byte), offset++, simulation, replies,
+                 exchanges);
       for (const std::string& text : line.receive(replies)) {
         EXPECT_EQ(text.find("no reply"), std::string::npos) << seed << ": " << text;
         EXPECT_EQ(text.find("not asked"), std::string::npos) << seed << ": " << text;
