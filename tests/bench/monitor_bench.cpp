@@ -12,6 +12,7 @@
 #include "protocol/monitor/event.hpp"
 #include "protocol/monitor/image.hpp"
 #include "protocol/monitor/model.hpp"
+#include "tests/support/endpoint.hpp"
 #include "tests/support/models.hpp"
 #include "tests/support/tap.hpp"
 
@@ -39,7 +40,7 @@ struct Read {
 
   explicit Read(std::string_view bytes) {
     for (std::size_t i = 0; i < bytes.size(); ++i) {
-      endpoint.feed(static_cast<std::uint8_t>(bytes[i]), i, simulation, replies, exchanges);
+      test::feed(endpoint, static_cast<std::uint8_t>(bytes[i]), i, simulation, replies, exchanges);
     }
     if (!replies.empty()) exchanges.back().reply_to = replies.size();
   }
