@@ -1,10 +1,8 @@
 #include "server/robot_port/socket.hpp"
 
-#include <fcntl.h>
 #include <sys/socket.h>
 
 #include <array>
-#include <cassert>
 #include <cerrno>
 #include <utility>
 
@@ -26,16 +24,7 @@ void discard_input(int descriptor) {
   }
 }
 
-[[maybe_unused]] bool is_non_blocking(const Descriptor& connection) {
-  return (::fcntl(connection.get(), F_GETFL) & O_NONBLOCK) != 0;
-}
-
 }  // namespace
-
-RobotSocket::RobotSocket(Descriptor connection, std::string early)
-    : connection_(std::move(connection)), early_(std::move(early)) {
-  assert(is_non_blocking(connection_));
-}
 
 // Early bytes and those of the kernel are one read, since a read that fills less than `into` means
 // that nothing is left. After early bytes the end of the connection is found by the next read.
@@ -43,8 +32,8 @@ std::size_t RobotSocket::read(std::span<char> into) {
   const std::size_t early = early_.copy(into.data(), into.size());
   early_.erase(0, early);
   into = into.subspan(early);
-  const auto count =
-      retry_interrupted([&] { return ::recv(descriptor(), into.data(), into.size(), 0); });
+  const auto count = retry_interrupted(
+      [&] { return ::recv(descriptor(), into.data(), into.size(), MSG_DONTWAIT); });
   const std::size_t all = early + (count > 0 ? static_cast<std::size_t>(count) : 0);
   if (all > 0) {
     is_unacknowledged_ = true;
@@ -56,8 +45,9 @@ std::size_t RobotSocket::read(std::span<char> into) {
 }
 
 std::size_t RobotSocket::write(std::string_view bytes) {
-  const auto count = retry_interrupted(
-      [&] { return ::send(descriptor(), bytes.data(), bytes.size(), MSG_NOSIGNAL); });
+  const auto count = retry_interrupted([&] {
+    return ::send(descriptor(), bytes.data(), bytes.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
+  });
   if (count >= 0) {
     has_written_ = true;
     is_unacknowledged_ = false;

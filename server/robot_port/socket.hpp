@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 
 #include "server/files/descriptor.hpp"
 #include "server/lines/stream.hpp"
@@ -12,8 +13,8 @@ namespace xr3 {
 class RobotSocket : public LineStream {
  public:
   /// `early`: bytes of the connection that were read before; read() returns them first.
-  /// Precondition: the connection is non-blocking.
-  explicit RobotSocket(Descriptor connection, std::string early = {});
+  explicit RobotSocket(Descriptor connection, std::string early = {})
+      : connection_(std::move(connection)), early_(std::move(early)) {}
   ~RobotSocket() override { RobotSocket::close(); }
 
   int descriptor() const override { return connection_.get(); }
