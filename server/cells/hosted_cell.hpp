@@ -8,8 +8,8 @@
 // (branch_cells.hpp) for copies of a cell's past. After each input, from whatever port, runs
 // after_input(): it wakes the lines whose replies have become due, sets the timers for due bytes
 // and for silence, passes bytes on to a physical controller, and notifies the subscribers. A cell
-// is closed in two steps: close() ends its lines, and retire() its timers, since a request of the
-// monitor may still hold it.
+// that is closed while the server runs ends its lines, leaves the registry, and is retired: a
+// request of the monitor may still hold it, but it arms no timer and takes no input.
 #pragma once
 
 #include <cassert>
@@ -117,8 +117,8 @@ class HostedCell : public std::enable_shared_from_this<HostedCell> {
   /// Accepts no further clients; the lines end as LineSessions::close() says.
   void close_ports();
   void close(WallNs deadline = kNever);
-  /// Closes the cell for good, after which it arms no timer. Those that still hold it may use it,
-  /// without effect on others. Precondition: no session of its lines is open.
+  /// Closes the cell for good: it arms no timer, and ignores inputs of those that still hold it.
+  /// Precondition: its lines have ended.
   void retire();
   bool is_retired() const { return is_retired_; }
   /// Ignores all further inputs, for the end of the process.

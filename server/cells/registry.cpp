@@ -27,7 +27,7 @@ CellPtr CellRegistry::find(std::string_view name) const {
   return named == by_name_.end() ? nullptr : named->second;
 }
 
-// Tokens cannot be chosen so that their digests share a beginning.
+// The search takes a time that depends on digests, which an attacker cannot choose by a token.
 CellPtr CellRegistry::find_by_token(std::string_view token) const {
   const auto found = by_token_.find(digest_of_token(token));
   return found == by_token_.end() ? nullptr : found->second;

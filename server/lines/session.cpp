@@ -118,7 +118,7 @@ LineSession::Turn LineSession::flush(WallNs end) {
     if (stream_->is_lost()) close(LineCloseReason::kError);
     if (!is_open()) return Turn::kBlocked;
     context_.cell.sent({id_, count});
-    if (line.is_paced()) context_.on_input(id_);  // bytes may act again
+    if (line.is_paced()) context_.on_input(id_);  // further bytes may be due
     if (!is_open()) return Turn::kBlocked;
     if (count == 0 && !line.outbox().empty()) return Turn::kBlocked;
     if (is_done()) break;

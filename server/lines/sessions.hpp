@@ -46,7 +46,7 @@ class LineSessions final : public LineTransports {
   bool disconnect(LineId line) override;
   PortCounters counters() const override;
 
-  /// Gives a line a turn, if it is open: it may continue, and not because of its stream.
+  /// Gives a line a turn without an event of its stream. No effect if the line is closed.
   void wake(LineId line);
 
   /// LineTurns::run_events(): finds streams that have ended.

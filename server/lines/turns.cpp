@@ -130,8 +130,7 @@ SessionNumber LineTurns::pop_front(Queue& queue) {
 LineSession::Turn LineTurns::run_turn(SessionNumber number) {
   const auto found = sessions_.find(number);
   if (found == sessions_.end()) return LineSession::Turn::kBlocked;
-  const std::shared_ptr<LineSession> session =
-      found->second.session;  // the session may remove itself
+  const auto session = found->second.session;  // kept, since it may remove itself
   const LineSession::Turn turn = session->run_turn(wall_now());
   if (turn == LineSession::Turn::kMore) add_to(busy_, number);
   return turn;
