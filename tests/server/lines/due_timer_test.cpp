@@ -56,13 +56,19 @@ TEST_F(DueTimerTest, LeavesTheManualClockAlone) {
   EXPECT_EQ(io_.run(), 0U);
 }
 
-TEST_F(DueTimerTest, DoesNothingAfterItIsClosed) {
+TEST_F(DueTimerTest, ClosingEndsTheWait) {
   ask(real());
   timer_->update();
   timer_->close();
-  timer_->update();
   io_.run();
   EXPECT_EQ(advances_, 0);
+}
+
+TEST_F(DueTimerTest, WaitsForNothingAfterItIsClosed) {
+  ask(real());
+  timer_->close();
+  timer_->update();
+  EXPECT_EQ(io_.run(), 0U);
 }
 
 }  // namespace

@@ -65,10 +65,16 @@ TEST_F(SilenceTimerTest, WithoutASettleTimeSilenceHasNoEffect) {
   EXPECT_LT(count_e(), 50);
 }
 
-TEST_F(SilenceTimerTest, DoesNothingAfterItIsClosed) {
+TEST_F(SilenceTimerTest, ClosingEndsTheWait) {
   begin({.settle_ms = 0});
   timer_.close();
-  timer_.update();
+  io_.poll();
+  EXPECT_EQ(rests_, 0);
+}
+
+TEST_F(SilenceTimerTest, WaitsForNothingAfterItIsClosed) {
+  timer_.close();
+  begin({.settle_ms = 0});
   io_.poll();
   EXPECT_EQ(rests_, 0);
 }
