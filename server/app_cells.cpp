@@ -209,8 +209,8 @@ void App::close_cell(const CellPtr& cell) {
                        wall_now());
   cell->cell().report_closed();
   cell->finish_recording();
-  monitor_port_.service().forget(*cell);
-  branch_cells_.forget(*cell);
+  monitor_port_.service().remove_cell(*cell);
+  branch_cells_.release_name(*cell);
   cells_.remove(*cell);
   cell->retire();
   asio::post(io_, [cell] {});

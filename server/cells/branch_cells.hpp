@@ -34,7 +34,7 @@ class BranchCells {
   std::string next_name(const std::string& origin);
   void add(CellPtr cell, std::string origin);
   /// An origin has closed, and its name may be given to another cell.
-  void forget(const HostedCell& origin) { named_.erase(origin.name()); }
+  void release_name(const HostedCell& origin) { named_.erase(origin.name()); }
   /// Closes no further cell, for the end of the process.
   void stop();
 

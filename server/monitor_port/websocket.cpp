@@ -129,7 +129,7 @@ class BeastWebsocket final : public Websocket, private MessageSink {
   void written(ErrorCode error);
   void close(ws::close_code code);
   void watch();
-  void look_after(SteadyClock::time_point now);
+  void check_silence(SteadyClock::time_point now);
   void ping();
 
   std::shared_ptr<MonitorSocket> socket_;
@@ -282,11 +282,11 @@ void BeastWebsocket::watch() {
   const auto of_writing = stream_.next_layer().last_progress() + patience_.before_close;
   watch_.expires_at(message_ ? std::min(of_silence, of_writing) : of_silence);
   when_expired(watch_, [self = self()] {
-    if (self->socket_->is_open()) self->look_after(SteadyClock::now());
+    if (self->socket_->is_open()) self->check_silence(SteadyClock::now());
   });
 }
 
-void BeastWebsocket::look_after(SteadyClock::time_point now) {
+void BeastWebsocket::check_silence(SteadyClock::time_point now) {
   if (!is_reading_) last_received_ = now;
   const auto stuck = now - stream_.next_layer().last_progress();
   const bool is_stuck = message_ && stuck >= patience_.before_close;

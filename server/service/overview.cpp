@@ -35,8 +35,8 @@ monitor::CellSummary summary_of(HostedCell& at) {
   return summary;
 }
 
-Overview::Overview(asio::io_context& io, CellRegistry& cells, std::function<void()> between)
-    : io_(io), cells_(cells), between_(std::move(between)), timer_(io) {}
+Overview::Overview(asio::io_context& io, CellRegistry& cells, std::function<void()> run_lines)
+    : io_(io), cells_(cells), run_lines_(std::move(run_lines)), timer_(io) {}
 
 void Overview::add(MonitorSession& session) {
   if (std::ranges::find(sessions_, &session) == sessions_.end()) sessions_.push_back(&session);
@@ -53,7 +53,7 @@ void Overview::remove(MonitorSession& session) {
   changed_.clear();
   shown_.clear();
   by_version_.clear();
-  forgotten_ = version_;
+  dropped_version_ = version_;
   closed_.clear();
   timer_.cancel();
 }
@@ -71,7 +71,7 @@ void Overview::changed(HostedCell& cell) {
   if (was_quiet) timer_.cancel();
 }
 
-void Overview::forget(const HostedCell& cell) {
+void Overview::remove_cell(const HostedCell& cell) {
   auto* const key = const_cast<HostedCell*>(&cell);
   changed_.erase(key);
   now_.erase(key);
@@ -81,7 +81,7 @@ void Overview::forget(const HostedCell& cell) {
   shown_.erase(shown);
   closed_.emplace_back(++version_, cell.name());
   if (closed_.size() > kMaxClosed) {
-    forgotten_ = closed_.front().first;
+    dropped_version_ = closed_.front().first;
     closed_.pop_front();
   }
   if (!is_behind_) timer_.cancel();
@@ -114,7 +114,7 @@ asio::awaitable<void> Overview::run() {
       continue;
     }
     const WallNs start = wall_now();
-    co_await look_at_cells();
+    co_await examine_cells();
     co_await serve_sessions();
     made_.clear();
     earliest = std::max(start + kPeriod, wall_now() + kRestFactor * (wall_now() - start));
@@ -125,23 +125,23 @@ asio::awaitable<void> Overview::run() {
 /// Lets the lines and other handlers have their turn.
 asio::awaitable<void> Overview::pause_if_long(WallNs& since) {
   if (wall_now() < since + kSlice) co_return;
-  between_();
+  run_lines_();
   co_await asio::post(io_, asio::use_awaitable);
   since = wall_now();
 }
 
-asio::awaitable<void> Overview::look_at_cells() {
+asio::awaitable<void> Overview::examine_cells() {
   now_ = std::exchange(changed_, {});
   WallNs since = wall_now();
   while (!now_.empty() && !is_stopped_) {
     HostedCell& cell = **now_.begin();
     now_.erase(now_.begin());
-    look_at(cell);
+    examine(cell);
     co_await pause_if_long(since);
   }
 }
 
-void Overview::look_at(HostedCell& cell) {
+void Overview::examine(HostedCell& cell) {
   if (sessions_.empty()) return;
   const monitor::CellSummary summary = summary_of(cell);
   if (cell.cell().has_news_to_come()) changed_.insert(&cell);
@@ -185,7 +185,7 @@ monitor::Message Overview::message_for(const MonitorSession& session, std::int64
 /// The changes after a version. `only_granted_of`: a session to whose granted cells they are
 /// limited; nullptr if they are not limited.
 monitor::Message Overview::make(std::int64_t since, const MonitorSession* only_granted_of) const {
-  const bool is_whole = since == 0 || since < forgotten_;
+  const bool is_whole = since == 0 || since < dropped_version_;
   const auto is_visible = [&](const std::string& name) {
     return only_granted_of == nullptr || only_granted_of->is_granted(name);
   };

@@ -27,8 +27,8 @@ class Overview {
  public:
   static constexpr int kPerSecond = 4;
 
-  /// `between` is called between a few cells or sessions, for work that must not wait.
-  Overview(asio::io_context& io, CellRegistry& cells, std::function<void()> between);
+  /// `run_lines` is called between a few cells or sessions, for work that must not wait.
+  Overview(asio::io_context& io, CellRegistry& cells, std::function<void()> run_lines);
   Overview(const Overview&) = delete;
   Overview& operator=(const Overview&) = delete;
 
@@ -42,7 +42,7 @@ class Overview {
   /// To be called after an input of the cell, and for a new one.
   void changed(HostedCell& cell);
   /// The cell closes.
-  void forget(const HostedCell& cell);
+  void remove_cell(const HostedCell& cell);
   void stop();
 
   /// A message with all cells that the session may see.
@@ -62,26 +62,27 @@ class Overview {
 
   void begin();
   asio::awaitable<void> run();
-  asio::awaitable<void> look_at_cells();
+  asio::awaitable<void> examine_cells();
   asio::awaitable<void> serve_sessions();
   asio::awaitable<void> pause_if_long(WallNs& since);
-  void look_at(HostedCell& cell);
+  void examine(HostedCell& cell);
   void serve(MonitorSession& session);
   monitor::Message message_for(const MonitorSession& session, std::int64_t since);
   monitor::Message make(std::int64_t since, const MonitorSession* only_granted_of) const;
 
   asio::io_context& io_;
   CellRegistry& cells_;
-  std::function<void()> between_;
+  std::function<void()> run_lines_;
   asio::steady_timer timer_;  ///< until the next round; cancelled to begin it at once
   std::vector<MonitorSession*> sessions_;
   std::size_t next_ = 0;  ///< index of the session to be served next
-  Cells changed_;         ///< to be looked at in the next round
-  Cells now_;             ///< to be looked at in this round
+  Cells changed_;         ///< to be examined in the next round
+  Cells now_;             ///< to be examined in this round
   std::map<HostedCell*, Shown> shown_;
   std::map<std::int64_t, HostedCell*> by_version_;
   std::deque<std::pair<std::int64_t, std::string>> closed_;  ///< the latest, with their versions
-  std::int64_t forgotten_ = 0;  ///< the version of the last closed cell that is not in closed_
+  std::int64_t dropped_version_ =
+      0;  ///< the version of the last closed cell that is not in closed_
   std::int64_t version_ = 1;
   std::map<std::int64_t, monitor::Message> made_;  ///< in this round, by the version before
   bool is_behind_ = false;                         ///< a session has yet to be served

@@ -46,7 +46,7 @@ MonitorService::MonitorService(asio::io_context& io, CellRegistry& cells, Worker
                                const AccessPolicy& policy)
     : cells_(cells),
       worker_(worker),
-      overview_(io, cells, [this] { between(); }),
+      overview_(io, cells, [this] { run_lines(); }),
       lag_(io, [this] { return cells_.has_news_to_come(); }),
       sessions_(io, cells, overview_, policy),
       channels_(overview_),
@@ -80,8 +80,8 @@ CellCounters MonitorService::counters() const {
 }
 
 /// The subscribers get what is left of its events; a slow one gets a `lag` and the last event.
-void MonitorService::forget(HostedCell& cell) {
-  overview_.forget(cell);
+void MonitorService::remove_cell(HostedCell& cell) {
+  overview_.remove_cell(cell);
   const std::vector<MonitorSession*> sessions = cell.hub().sessions();
   for (MonitorSession* session : sessions) {
     session->client().finish(cell.name());
@@ -91,7 +91,7 @@ void MonitorService::forget(HostedCell& cell) {
   merge(gone_cells_, cell);
 }
 
-void MonitorService::between() {
+void MonitorService::run_lines() {
   if (!cells_.is_empty()) cells_.all().front()->transports().run_turns();
 }
 

@@ -62,7 +62,7 @@ class MonitorService {
   /// Measures the delay of the event loop, which has work to do for a client.
   void measure_loop() { lag_.begin_measurement(); }
   /// A cell is about to close: its subscriptions end, and its statistics remain in counters().
-  void forget(HostedCell& cell);
+  void remove_cell(HostedCell& cell);
   /// For the end of the process: starts no timer any more, except for waiting requests.
   void stop();
 
@@ -73,7 +73,7 @@ class MonitorService {
 
  private:
   struct Dispatch;
-  void between();
+  void run_lines();
 
   CellRegistry& cells_;
   Worker& worker_;

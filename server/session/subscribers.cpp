@@ -91,7 +91,7 @@ void SubscriberHub::arm_frame() {
   armed_ = Wake::kFrame;
   armed_frame_ = now;
   timer_.cancel();
-  asio::post(io_, [this] { tick(); });
+  asio::post(io_, [this] { on_timer(); });
 }
 
 void SubscriberHub::arm_at(monitor::FrameNumber frame) {
@@ -103,7 +103,7 @@ void SubscriberHub::arm_second() { arm(Wake::kSecond, wall_now() + kSecond); }
 
 void SubscriberHub::arm(Wake wake, WallNs when) {
   armed_ = wake;
-  run_at(timer_, when, [this] { tick(); });
+  run_at(timer_, when, [this] { on_timer(); });
 }
 
 void SubscriberHub::stop() {
@@ -113,7 +113,7 @@ void SubscriberHub::stop() {
 
 // --- Serving.
 
-void SubscriberHub::tick() {
+void SubscriberHub::on_timer() {
   armed_ = Wake::kNone;
   if (is_stopped_ || is_serving_) return;
   cell_.catch_up(wall_now());
@@ -136,7 +136,7 @@ void SubscriberHub::serve_some() {
   const std::size_t end = next_ + kFairShare;
   while (next_ < std::min(end, sessions_.size())) {
     serve(*sessions_[next_++]);
-    if (next_ % kSessionsBetween == 0) between_();
+    if (next_ % kSessionsBetween == 0) run_lines_();
   }
   if (next_ >= sessions_.size() || is_stopped_) return end_round();
   asio::post(io_, [this] { serve_some(); });

@@ -23,10 +23,11 @@ class SubscriberHub {
   /// Sessions served in one turn of the loop.
   static constexpr std::size_t kFairShare = 64;
 
-  /// The references must outlive it. `between` is called after every few sessions, for work that
+  /// The references must outlive it. `run_lines` is called after every few sessions, for work that
   /// must not wait for all of them.
-  SubscriberHub(asio::io_context& io, Cell& cell, FrameCache& frames, std::function<void()> between)
-      : io_(io), timer_(io), cell_(cell), frames_(frames), between_(std::move(between)) {}
+  SubscriberHub(asio::io_context& io, Cell& cell, FrameCache& frames,
+                std::function<void()> run_lines)
+      : io_(io), timer_(io), cell_(cell), frames_(frames), run_lines_(std::move(run_lines)) {}
   SubscriberHub(const SubscriberHub&) = delete;
   SubscriberHub& operator=(const SubscriberHub&) = delete;
   /// Removes all sessions.
@@ -57,7 +58,7 @@ class SubscriberHub {
   void arm_second();
   void arm_at(monitor::FrameNumber frame);
   void arm_frame();
-  void tick();
+  void on_timer();
   void begin_round();
   void serve_some();
   void serve(MonitorSession& session);
@@ -69,7 +70,7 @@ class SubscriberHub {
   asio::steady_timer timer_;
   Cell& cell_;
   FrameCache& frames_;
-  std::function<void()> between_;
+  std::function<void()> run_lines_;
   std::vector<MonitorSession*> sessions_;
   Wake armed_ = Wake::kNone;
   monitor::FrameNumber armed_frame_ = 0;  ///< if armed_ is kFrame

@@ -24,7 +24,7 @@ TEST_F(MonitorCallsTest, ACallThatWaitsForAClosedCellFails) {
                     std::to_string(line) + R"(,"bytes_in":9,"within_ms":60000}}})")
           .empty());
   second.cell().apply(LineClosed{line, LineCloseReason::kDisconnected}, wall_now());
-  service_.forget(second);
+  service_.remove_cell(second);
   host_.cells.remove(second);
   kept->retire();
   const std::vector<Json> answers = wait(one_);

@@ -52,7 +52,7 @@ TEST_F(MonitorChannelsTest, TheSubscriptionsOfAClosedCellEndWithItsLastEvent) {
   ask(one_, R"({"op":"sub","channel":"event","cell":"second"})");
   ask(one_, R"({"op":"sub","channel":"state","cell":"second"})");
   second.cell().report_closed();
-  service_.forget(second);
+  service_.remove_cell(second);
   host_.cells.remove(second);
   kept->retire();
   const std::vector<Json> rest = read(one_);

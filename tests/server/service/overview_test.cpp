@@ -31,7 +31,7 @@ TEST_F(OverviewTest, TheOverviewShowsAllCellsAndThenChanges) {
   EXPECT_EQ(change["cells"][0]["name"], "second");
   EXPECT_EQ(change["cells"][0]["lines"], 1);
   const CellPtr kept = second.shared_from_this();
-  service_.forget(second);
+  service_.remove_cell(second);
   host_.cells.remove(second);
   kept->retire();
   EXPECT_EQ(wait(one_).back()["closed"].dump(), R"(["second"])");

@@ -41,7 +41,7 @@ TEST_F(MonitorServiceTest, CountersAreSumsAndKeepThoseOfClosedCells) {
   send("E?");
   EXPECT_EQ(service_.counters().lines_total, 2U);
   EXPECT_EQ(service_.counters().lines_open, 2U);
-  service_.forget(second);
+  service_.remove_cell(second);
   host_.cells.remove(second);
   kept->retire();
   EXPECT_EQ(service_.counters().lines_total, 2U);
