@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Project rules that a compiler does not check: the includes that each library may have, that the folders of a library
 do not include each other in a circle, the maximum length of a file and of its lines, the maximum size of a folder, that
-each type has a name of its own, that what commands print is escaped, and that no file names a path outside the project.
+each type has a name of its own, that no coroutine has an argument that g++ 12 destroys twice, that what commands print is escaped, and that no file names a path outside the project.
 Prints every breach as file:line."""
 
 import os
@@ -202,6 +202,17 @@ def named_files_that_are_missing(texts):
                     yield f"{path}:{number}: there is no {name}"
 
 
+# An argument of co_await that is a lambda which copies what it captures.
+UNNAMED_LAMBDA = re.compile(r"co_await\s+[\w.:>()*-]*\(\s*\[(?!\s*(?:&|this)\s*[,\]])(?!\s*\])")
+
+
+def twice_destroyed(texts):
+    """Lambdas that g++ 12 destroys twice; CONTRIBUTING.md tells the rule."""
+    for path, text in texts.items():
+        for found in UNNAMED_LAMBDA.finditer(text) if path.startswith(tuple(RULES)) else ():
+            yield f"{path}:{text.count(chr(10), 0, found.start()) + 1}: give the argument of co_await a name: g++ 12 destroys it twice"
+
+
 def main():
     files = project_files()
     found = list(crowded_folders(files))
@@ -214,6 +225,7 @@ def main():
     found.extend(shared_type_names(texts))
     found.extend(circular_folders(texts))
     found.extend(named_files_that_are_missing(texts))
+    found.extend(twice_destroyed(texts))
     found.extend(comments.breaches(texts))
     for breach in found:
         print(breach)

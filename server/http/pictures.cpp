@@ -20,7 +20,8 @@ asio::awaitable<Body> Pictures::png(ImagePtr image) {
   co_await compressing_.until_free();
   if (png_.image != image) {
     const Exclusive::Hold hold(compressing_);
-    std::string bytes = co_await worker_.run([image] { return to_png(*image); });
+    auto work = [image] { return to_png(*image); };  // g++ 12 destroys an unnamed one twice
+    std::string bytes = co_await worker_.run(std::move(work));
     png_ = {std::move(image), Body(std::move(bytes))};
   }
   co_return png_.body;
