@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 """Project rules that a compiler does not check: the includes that each library may have, that the folders of a library
 do not include each other in a circle, the maximum length of a file and of its lines, the maximum size of a folder, that
-each type has a name of its own, that no coroutine has an argument that g++ 12 destroys twice, that what commands print is escaped, and that no file names a path outside the project.
+each type has a name of its own, that no coroutine has an argument that g++ 12 destroys twice, that what commands print
+is escaped, and that no file names a path outside the project.
 Prints every breach as file:line."""
 
 import os
