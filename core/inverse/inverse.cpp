@@ -68,11 +68,10 @@ ValueRange allowed_span(const Model& model, int joint) {
 }
 
 /// Adds full turns so that the value is within the limits if possible, and then nearest to the
-/// home.
-double wrapped(const Model& model, int joint, double angle_deg) {
+/// start.
+double wrapped(const Model& model, int joint, double angle_deg, double start_deg) {
   const ValueRange span = allowed_span(model, joint);
-  const double home = model.motor(joint).drive.home;
-  const double near = home + std::remainder(angle_deg - home, kTurnDeg);
+  const double near = start_deg + std::remainder(angle_deg - start_deg, kTurnDeg);
   double best = near;
   for (const double other : {near + kTurnDeg, near - kTurnDeg}) {
     if (span.excess(other) < span.excess(best)) best = other;
@@ -80,13 +79,14 @@ double wrapped(const Model& model, int joint, double angle_deg) {
   return best;
 }
 
-void wrap(const Model& model, const ToolTarget& target, JointVariables& variables) {
+void wrap(const Model& model, const ToolTarget& target, const JointVariables& start,
+          JointVariables& variables) {
   const bool keeps_last = target.kind == TargetKind::kPointing;
   for (int k = 0; k < model.joint_count(); ++k) {
     const auto own = static_cast<std::size_t>(k);
     const bool is_last = k + 1 == model.joint_count();
     if (!model.robot().joints[own].is_revolute() || (is_last && keeps_last)) continue;
-    variables[own] = wrapped(model, k, variables[own]);
+    variables[own] = wrapped(model, k, variables[own], start[own]);
   }
 }
 
@@ -100,11 +100,12 @@ std::vector<LimitExcess> limits_passed(const Model& model, const Positions& posi
   return beyond;
 }
 
-InverseSolution solution_of(const Model& model, const ToolTarget& target, Candidate candidate) {
+InverseSolution solution_of(const Model& model, const ToolTarget& target,
+                            const JointVariables& start, Candidate candidate) {
   InverseSolution solution;
   solution.variables = std::move(candidate.variables);
   solution.branch = std::move(candidate.branch);
-  wrap(model, target, solution.variables);
+  wrap(model, target, start, solution.variables);
   solution.counts = nearest_counts(model, solution.variables);
   const Positions& positions = solution.counts.positions;
   solution.beyond = limits_passed(model, positions);
@@ -129,15 +130,17 @@ void add_new(std::vector<InverseSolution>& solutions, InverseSolution solution) 
   solutions.push_back(std::move(solution));
 }
 
-Counts longest_travel(const InverseSolution& solution) {
+Counts longest_travel(const InverseSolution& solution, const Positions& start) {
   Counts longest = 0;
-  for (const Counts count : solution.counts.motors) longest = std::max(longest, std::abs(count));
+  for (std::size_t i = 0; i < start.size(); ++i)
+    longest = std::max(longest, std::abs(solution.counts.motors[i] - start[i]));
   return longest;
 }
 
-void sort_solutions(std::vector<InverseSolution>& solutions) {
-  const auto key = [](const InverseSolution& solution) {
-    return std::tuple(!solution.is_allowed(), longest_travel(solution));
+/// `start` are motor counts.
+void sort_solutions(std::vector<InverseSolution>& solutions, const Positions& start) {
+  const auto key = [&start](const InverseSolution& solution) {
+    return std::tuple(!solution.is_allowed(), longest_travel(solution, start));
   };
   std::stable_sort(solutions.begin(), solutions.end(),
                    [&](const auto& one, const auto& other) { return key(one) < key(other); });
@@ -240,10 +243,11 @@ InverseResult solve_inverse(const Model& model, const ToolTarget& target,
   result.method = inverse_method(model.robot());
   Candidates found = find_candidates(model.robot(), result.method, target, options);
   result.freedoms = std::move(found.freedoms);
+  const JointVariables start = options.near.value_or(home_variables(model.robot()));
   for (Candidate& candidate : found.list) {
-    add_new(result.solutions, solution_of(model, target, std::move(candidate)));
+    add_new(result.solutions, solution_of(model, target, start, std::move(candidate)));
   }
-  sort_solutions(result.solutions);
+  sort_solutions(result.solutions, nearest_counts(model, start).motors);
   if (!result.solutions.empty()) return result;
   result.refusal = found.refusal;
   result.off_mm = found.off_mm;

@@ -106,6 +106,10 @@ struct InverseOptions {
   double tolerance_mm = 1e-6;   ///< maximum error of the tip
   /// The place of the slide on which an arm with a closed form stands; default: its soft home.
   std::optional<double> slide_mm = std::nullopt;
+  /// The variables from which the robot moves; default: the soft home. Full turns and the order of
+  /// the solutions depend on them. If they are given, the numerical method starts only from them,
+  /// which takes a hundredth of the time and finds at most one solution.
+  std::optional<JointVariables> near = std::nullopt;
 };
 
 /// A joint past its limit.
@@ -122,7 +126,7 @@ struct PoseError {
 };
 
 struct InverseSolution {
-  JointVariables variables;  ///< full turns chosen within the limits, then nearest to the soft home
+  JointVariables variables;  ///< full turns chosen within the limits, then nearest to the start
   std::string branch;        ///< such as "front, elbow up"
   NearestCounts counts;
   std::vector<LimitExcess> beyond;   ///< joints past their limits at `counts`
@@ -140,7 +144,7 @@ struct InverseResult {
   double off_deg = 0;  ///< refusals only: error in degrees
   std::vector<InverseFreedom> freedoms;
   std::vector<InverseSolution>
-      solutions;  ///< allowed ones first, then by the maximum travel of a motor
+      solutions;  ///< allowed ones first, then by the maximum travel of a motor from the start
 };
 
 /// All solutions of a closed form, or those that the numerical method finds. Deterministic: the

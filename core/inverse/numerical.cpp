@@ -119,9 +119,11 @@ double halton(int index, int base) {
   return value;
 }
 
-/// Start values within the joints' limits and, for revolute joints, within half a turn of the home.
-JointVariables start(const Robot& robot, const ToolTarget& target, int index) {
-  JointVariables variables = home_variables(robot);
+/// Start values: number 0 is `first`, the others lie within the joints' limits and, for revolute
+/// joints, within half a turn of the home.
+JointVariables start(const Robot& robot, const ToolTarget& target, const JointVariables& first,
+                     int index) {
+  JointVariables variables = first;
   for (std::size_t k = 0; index > 0 && k < variables.size(); ++k) {
     const Drive& drive = robot.joints[k].drive;
     const double half_turn = robot.joints[k].is_revolute() ? 180.0 : drive.max - drive.min;
@@ -160,10 +162,12 @@ Candidates solve_numerically(const Robot& robot, const ToolTarget& target,
                              const InverseOptions& options) {
   Candidates found;
   const LeastSquares problem(robot, target);
+  const JointVariables first = options.near.value_or(home_variables(robot));
+  const int starts = options.near ? 1 : kStarts;
   double least = std::numeric_limits<double>::infinity();
-  for (int index = 0; index < kStarts; ++index) {
+  for (int index = 0; index < starts; ++index) {
     if (!found.freedoms.empty() && found.list.size() == kMaxOfFamily) break;
-    const JointVariables end = descend(problem, start(robot, target, index));
+    const JointVariables end = descend(problem, start(robot, target, first, index));
     const PoseError error = pose_error(robot, target, end);
     const double rest = problem.residual(end).norm();
     if (error.mm > options.tolerance_mm || error.deg > options.tolerance_deg) {

@@ -12,8 +12,9 @@ namespace {
 const std::vector<CallForm>& forms() {
   static const std::vector<CallForm> all = [] {
     std::vector<CallForm> joined;
-    for (const CallForms group : {time_calls(), machine_calls(), workcell_calls(), snapshot_calls(),
-                                  fault_calls(), line_calls(), past_calls(), server_calls()})
+    for (const CallForms group :
+         {time_calls(), machine_calls(), inverse_calls(), workcell_calls(), snapshot_calls(),
+          fault_calls(), line_calls(), past_calls(), server_calls()})
       joined.insert(joined.end(), group.begin(), group.end());
     return joined;
   }();

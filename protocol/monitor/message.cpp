@@ -131,10 +131,11 @@ Message result(const RequestId& id, const Json& value) {
 }
 
 Message result(const RequestError& error) {
-  const Json body = {{"code", error.code},
-                     {"message", error.message},
-                     {"hint", error.hint},
-                     {"details", details_json(error.details)}};
+  Json body = {{"code", error.code},
+               {"message", error.message},
+               {"hint", error.hint},
+               {"details", details_json(error.details)}};
+  body.update(error.more);
   return message_of({{"op", "result"}, {"id", id_json(error.id)}, {"ok", false}, {"error", body}});
 }
 

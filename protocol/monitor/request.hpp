@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -82,6 +83,14 @@ struct After {
 struct Send {
   std::string bytes;
 };
+/// Asks for the motor counts that bring the tool to a place; what is not given stays as it is.
+struct FindCounts {
+  PointUm tip_um;  ///< in the base frame
+  std::optional<double> pitch_deg;
+  std::optional<double> roll_deg;
+  std::string branch;           ///< any if empty
+  std::map<char, Counts> near;  ///< motor counts from which the tool moves, by label; default: now
+};
 struct ListLines {};
 struct ListCells {};
 struct ListFaults {};
@@ -118,8 +127,8 @@ struct Describe {
 
 struct CallRequest {
   std::string fn;
-  std::variant<call::Call, Send, ListLines, ListCells, ListFaults, DisconnectLine, ReleasePeer,
-               ReadTranscript, ReadHistory, Look, Live, Seek, Branch, Describe>
+  std::variant<call::Call, Send, FindCounts, ListLines, ListCells, ListFaults, DisconnectLine,
+               ReleasePeer, ReadTranscript, ReadHistory, Look, Live, Seek, Branch, Describe>
       call;
   std::optional<After> after;  ///< step and run_until only
   Fields fields;               ///< step and run_until only: members of the state in the result

@@ -23,6 +23,7 @@ struct RequestError {
   std::string message;
   std::string hint;
   std::vector<Detail> details;
+  Json more = Json::object();  ///< further members of the error, by its code
 };
 
 }  // namespace xr3::monitor

@@ -56,6 +56,7 @@ class MonitorCalls {
 
   Answer carry_out(CallOf of, const call::Call& call);
   Answer carry_out(CallOf of, const monitor::Send& send);
+  static Answer carry_out(CallOf of, const monitor::FindCounts& find);
   static Answer carry_out(CallOf of, const monitor::ListLines&);
   static Answer carry_out(CallOf of, const monitor::ListFaults&);
   static Answer carry_out(CallOf of, const monitor::DisconnectLine& disconnect);

@@ -103,6 +103,7 @@ def calls(workcell):
         "step": {"ticks": 5, "after": {"line": 1, "bytes_in": 2, "within_ms": 3}, "fields": ["tool"]},
         "run_until": {"idle": True, "max_ticks": 60000}, "key": {"function": "view", "value": [1, 0, -9]},
         "send": {"hex": "452b350d"}, "input": {"input": 8, "value": True},
+        "inverse": {"xyz_mm": [262, 0, 120], "pitch_deg": -90, "roll_deg": 90, "branch": "front, elbow up", "near": {"E": 242}},
         "block_add": {"name": "a", "size_mm": [40, 20, 10], "xyz_mm": [300, 0, 5], "yaw_deg": 30, "color": 2},
         "block_move": {"name": "a", "xyz_mm": [1, 2, 3]}, "block_remove": {"name": "a"},
         "workcell": {"workcell": workcell}, "snapshot_save": {"inline": True},

@@ -50,6 +50,9 @@ class Asker:
                                   **self.one_of({"idle": True}, {"tick": count(0, 10**5)})},
             "send": lambda: self.one_of({"text": self.chance.choice(BYTES)},
                                         {"hex": self.one_of("453f", "ff", "4", "")}),
+            "inverse": lambda: {"xyz_mm": self.point(), **self.maybe(
+                pitch_deg=count(-400, 400), roll_deg=count(-400, 400), branch=self.one_of("front, elbow up", "z"),
+                near=self.one_of({}, {"E": 50}, {"E": 10**7}, {"Z": 1}))},
             "input": lambda: {"input": count(0, 9), "value": self.one_of(True, False)},
             "block_add": lambda: {"name": self.name(), "size_mm": self.point(), "xyz_mm": self.point(),
                                   "yaw_deg": count(-400, 400), "color": count(-1, 16)},

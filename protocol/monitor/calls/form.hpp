@@ -44,6 +44,7 @@ using CallForms = std::span<const CallForm>;
 
 CallForms time_calls();
 CallForms machine_calls();
+CallForms inverse_calls();
 CallForms workcell_calls();
 CallForms snapshot_calls();
 CallForms fault_calls();

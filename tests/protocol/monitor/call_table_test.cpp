@@ -169,6 +169,18 @@ TEST(MonitorCalls, ParsesInput) {
             (Pointers{"/args/input", "/args/line"}));
 }
 
+TEST(MonitorCalls, ParsesInverse) {
+  const auto find = other_of<FindCounts>(
+      "inverse", R"({"xyz_mm":[262,0.5,-3],"pitch_deg":-90,"branch":"x","near":{"E":242,"A":-1}})");
+  EXPECT_EQ(find.tip_um, (PointUm{262'000, 500, -3'000}));
+  EXPECT_EQ(find.pitch_deg, -90);
+  EXPECT_EQ(find.roll_deg, std::nullopt);
+  EXPECT_EQ(find.branch, "x");
+  EXPECT_EQ(find.near, (std::map<char, Counts>{{'A', -1}, {'E', 242}}));
+  EXPECT_EQ(wrong_in("inverse", R"({"pitch_deg":"down","near":{"E":1.5,"Z":0}})"),
+            (Pointers{"/args/xyz_mm", "/args/pitch_deg", "/args/near/E", "/args/near/Z"}));
+}
+
 TEST(MonitorCalls, ParsesLinesAndLineDisconnect) {
   other_of<ListLines>("lines", "{}");
   EXPECT_EQ(other_of<DisconnectLine>("line_disconnect", R"({"line":3})").line, 3U);
