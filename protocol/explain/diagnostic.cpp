@@ -8,6 +8,25 @@
 namespace xr3 {
 namespace {
 
+constexpr std::string_view kNoWords =
+    "the controller has no such word: each letter was a command; ";
+
+/// The commands for what the word means, behind kNoWords.
+std::string_view remedy(Subject subject) {
+  switch (subject) {
+    case Subject::kLeaving:
+      return "to leave, close the connection: ~. in xr3 term, Ctrl-] and quit in telnet, Ctrl-C in "
+             "nc";
+    case Subject::kStopping: return "EX stops joint E, and Q stops all joints";
+    case Subject::kHoming: return "A$ returns to the soft home";
+    case Subject::kResetting: return "Q resets the controller, and A$ returns to the soft home";
+    case Subject::kJaws: return "moves of A open and close the jaws, such as A+20 or A-20";
+    default:
+      return "E+50 moves joint E, E? asks how far it has to go, and docs/protocol.md has all "
+             "commands";
+  }
+}
+
 std::string_view sentence(const Problem& problem) {
   switch (problem.code) {
     case ProblemCode::kUnknownByte:
@@ -46,6 +65,13 @@ std::string_view sentence(const Problem& problem) {
     case ProblemCode::kDisabled: return "the simulator is disabled and executes only A@";
     case ProblemCode::kNotForDevice:
       return "a physical controller does not have this; it is not sent to the device";
+    case ProblemCode::kDecimalPoint:
+      return problem.subject == Subject::kPeriod
+                 ? "counts are whole numbers: the number ended before the point, and A. sets the "
+                   "refresh period"
+                 : "counts and speeds are whole numbers: the number ended before the point; "
+                   "skipped";
+    case ProblemCode::kWord: return remedy(problem.subject);
   }
   return "";
 }
@@ -102,10 +128,17 @@ std::string overlap_text(const Warning& warning, const Model& model) {
 }  // namespace
 
 std::string_view code_of(ProblemCode code) {
-  constexpr std::array<std::string_view, 9> kCodes = {
-      "unknown_byte",       "number_out_of_range", "speed_out_of_range",  "no_joint_selected",
-      "incomplete_command", "bad_view_vector",     "bad_camera_argument", "disabled",
-      "not_for_device"};
+  constexpr std::array<std::string_view, 11> kCodes = {"unknown_byte",
+                                                       "number_out_of_range",
+                                                       "speed_out_of_range",
+                                                       "no_joint_selected",
+                                                       "incomplete_command",
+                                                       "bad_view_vector",
+                                                       "bad_camera_argument",
+                                                       "disabled",
+                                                       "not_for_device",
+                                                       "decimal_point",
+                                                       "word"};
   return kCodes.at(static_cast<std::size_t>(code));
 }
 
@@ -156,7 +189,8 @@ std::string describe(const Parsed& parsed, const Problem& problem) {
   }
   const std::string before =
       bytes.empty() ? "" : readable(bytes) + (parsed.raw.was_cut ? "..." : "") + ": ";
-  return before + std::string(sentence(problem));
+  return before + std::string(problem.code == ProblemCode::kWord ? kNoWords : "") +
+         std::string(sentence(problem));
 }
 
 std::string text_of(const Warning& warning, const Model& model) {

@@ -1,6 +1,9 @@
 #include "protocol/line/rhino_parser.hpp"
 
 #include <algorithm>
+#include <optional>
+
+#include "protocol/line/byte_classes.hpp"
 
 namespace xr3 {
 namespace {
@@ -9,16 +12,8 @@ constexpr std::int32_t kSaturated = 1'000'000;
 
 bool is_digit(std::uint8_t byte) { return byte >= '0' && byte <= '9'; }
 bool is_sign(std::uint8_t byte) { return byte == '+' || byte == '-'; }
-bool is_line_end(std::uint8_t byte) { return byte == '\r' || byte == '\n'; }
-bool is_space(std::uint8_t byte) { return byte == ' ' || byte == '\0'; }
 bool is_blank(std::uint8_t byte) { return is_line_end(byte) || is_space(byte); }
 bool is_within(int value, int min, int max) { return value >= min && value <= max; }
-
-/// The letter in upper case, or 0 if the byte is no letter.
-std::uint8_t letter_of(std::uint8_t byte) {
-  if (byte >= 'a' && byte <= 'z') return static_cast<std::uint8_t>(byte - 'a' + 'A');
-  return byte >= 'A' && byte <= 'Z' ? byte : std::uint8_t{0};
-}
 
 }  // namespace
 
@@ -31,8 +26,15 @@ void RhinoParser::Number::push(std::uint8_t digit) {
 
 void RhinoParser::feed(std::uint8_t byte, std::uint64_t offset, std::vector<Parsed>& out) {
   offset_ = offset;
-  if (mode_ != Mode::kIdle && feed_argument(byte, out)) return;
-  feed_idle(byte, out);
+  const std::optional<Parsed> word = word_.feed(byte, offset);
+  const bool was_number = mode_ == Mode::kNumber;
+  const bool is_argument = mode_ != Mode::kIdle && feed_argument(byte, out);
+  if (was_number && byte == '.') {
+    feed_decimal_point(out);
+  } else if (!is_argument) {
+    feed_idle(byte, out);
+  }
+  if (word) out.push_back(*word);
 }
 
 void RhinoParser::feed_disabled(std::uint8_t byte, std::uint64_t offset, std::vector<Parsed>& out) {
@@ -127,6 +129,13 @@ void RhinoParser::feed_environment(std::uint8_t byte, std::vector<Parsed>& out) 
     case '.': return open(Mode::kPeriod, byte);
     default: return open(Mode::kStatus, byte);
   }
+}
+
+// A number has ended before this point. After A, a point is a command, too.
+void RhinoParser::feed_decimal_point(std::vector<Parsed>& out) {
+  if (label_ != 'A') return junk('.', {ProblemCode::kDecimalPoint, Subject::kMove}, out);
+  emit_byte('.', Problem{ProblemCode::kDecimalPoint, Subject::kPeriod}, out);
+  feed_environment('.', out);
 }
 
 // --- Arguments.

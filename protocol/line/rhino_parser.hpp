@@ -6,73 +6,16 @@
 
 #include <array>
 #include <cstdint>
-#include <string_view>
 #include <variant>
 #include <vector>
 
 #include "core/command.hpp"
 #include "core/model.hpp"
+#include "protocol/line/line_word.hpp"
+#include "protocol/line/parsed.hpp"
 #include "protocol/line/state_writer.hpp"
 
 namespace xr3 {
-
-/// The reason why bytes were not executed.
-enum class ProblemCode : std::uint8_t {
-  kUnknownByte,
-  kNumberOutOfRange,
-  kSpeedOutOfRange,
-  kNoJointSelected,
-  kIncompleteCommand,
-  kBadViewVector,
-  kBadCameraArgument,
-  kDisabled,
-  kNotForDevice,
-};
-
-/// The purpose of the bytes, if the parser recognises it.
-enum class Subject : std::uint8_t {
-  kNone,
-  kMove,
-  kSpeed,
-  kOutput,
-  kView,
-  kCamera,
-  kPeriod,
-  kStatus,
-  kSkippedNumber,  ///< digits after an unknown byte, up to the next letter
-};
-
-struct Problem {
-  ProblemCode code = ProblemCode::kUnknownByte;
-  Subject subject = Subject::kNone;
-  bool operator==(const Problem&) const = default;
-};
-
-/// The first bytes of a command, for messages; longer commands are cut.
-struct RawBytes {
-  static constexpr std::size_t kMax = 22;
-  std::array<std::uint8_t, kMax> bytes{};
-  std::uint8_t size = 0;
-  bool was_cut = false;
-
-  void push(std::uint8_t byte) {
-    if (size < kMax)
-      bytes[size++] = byte;
-    else
-      was_cut = true;
-  }
-  std::string_view view() const { return {reinterpret_cast<const char*>(bytes.data()), size}; }
-  bool operator==(const RawBytes&) const = default;
-};
-
-/// A command or problem, and its bytes [from, to) in the line's input.
-struct Parsed {
-  std::uint64_t from = 0;
-  std::uint64_t to = 0;
-  RawBytes raw;
-  std::variant<Command, Problem> what;
-  bool operator==(const Parsed&) const = default;
-};
 
 class RhinoParser {
  public:
@@ -87,6 +30,7 @@ class RhinoParser {
   void feed_disabled(std::uint8_t byte, std::uint64_t offset, std::vector<Parsed>& out);
 
   bool operator==(const RhinoParser&) const = default;
+  /// Without the word, which changes only warnings.
   void write_state(StateWriter& out) const {
     out.add(mode_, label_, opener_, skips_numbers_, list_is_bad_, list_size_, number_.sign,
             number_.digits, number_.ended, number_.modulo_256, number_.magnitude, list_, offset_,
@@ -113,6 +57,7 @@ class RhinoParser {
   void feed_letter(std::uint8_t letter, std::uint8_t byte, std::vector<Parsed>& out);
   void feed_number_start(std::uint8_t byte, std::vector<Parsed>& out);
   void feed_environment(std::uint8_t byte, std::vector<Parsed>& out);
+  void feed_decimal_point(std::vector<Parsed>& out);
   void select(std::uint8_t letter, std::uint8_t byte);
 
   // Handlers of a byte of an argument. Each returns false if the byte is not part of it and must be
@@ -149,6 +94,7 @@ class RhinoParser {
   std::uint64_t from_ = 0;    ///< offset of the first byte in raw_
   std::uint64_t to_ = 0;      ///< offset after the last byte in raw_
   RawBytes raw_;
+  LineWord word_;  ///< the current line
 };
 
 }  // namespace xr3

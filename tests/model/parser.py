@@ -20,6 +20,7 @@ OF_A_JOINT = {form[1]: name for form, name in FORMS.items() if re.fullmatch("a[^
 OF_A_LINE = {form[0]: name for form, name in FORMS.items() if re.fullmatch("[A-Z]n", form)}
 ENVIRONMENT = {form[1]: name for form, name in FORMS.items() if re.fullmatch("A[^a-z]", form)}
 WITH_ARGUMENTS = "!.%*"
+WORDS = {"HELP", "HELLO", "QUIT", "EXIT", "BYE", "LOGOUT", "STOP", "HALT", "HOME", "RESET", "OPEN", "CLOSE"}
 
 
 class Parser:
@@ -32,11 +33,32 @@ class Parser:
         self.joint = None  # the selected one
         self.partial = ""  # the bytes of an unfinished command, without the label
         self.is_skipping = False  # numbers are ignored up to the next letter or the end of the line
+        self.line = ""  # the bytes since the last line end
 
     def feed(self, byte):
         char = chr(byte).upper() if byte < 128 else "\x80"
-        if not self.partial or not self._continue(char):
+        is_number = self.partial[:1] in ("+", "-", *DIGITS)
+        if is_number and char == ".":
+            self._continue(char)
+            self._decimal_point()
+        elif not self.partial or not self._continue(char):
             self._begin(char)
+        self._end_word(char)
+
+    def _decimal_point(self):
+        self.warn("decimal_point")
+        if self.joint == "A":
+            self._begin(".")
+        else:
+            self.is_skipping = True
+
+    def _end_word(self, char):
+        if char not in "\r\n":
+            self.line += char
+            return
+        if self.line.lstrip(BLANKS) in WORDS:
+            self.warn("word")
+        self.line = ""
 
     def is_enabling(self, byte):
         """Handles a byte that arrives while the simulator is disabled; returns whether it ends an `A@`. A partial

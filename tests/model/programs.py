@@ -20,12 +20,14 @@ COMMANDS = ["I", "J", "K", "AI", "AJ", "L", "M", "N", "O", "Q", "A#", "A|", "A$"
             "A!9,9,10!", "A!1,2!", "A!1\r", "A!1 ,2,3!", "A.6\r", "A.0 ", "A.255E", "A.256\r", "A.\r", "A%3", "A%0",
             "A%7", "A%\r", "A**", "A*0*", "A*4*", "A*5*", "A*3,2*", "A*10,0*", "A*9,4*", "A*,*", "A*1\r", "P1", "P8",
             "P9", "P0", "P\r", "P 3", "R\x004", "R1", "R8", "R5", "R", "P", "A ", "A", "A5$", "A$A$",
-            "A@A@", "AA@a@", "A $", "A! 1, 2 ,- 3!", "A. 6 ", "A* 3 , 2 *", "A % 2"]
+            "A@A@", "AA@a@", "A $", "A! 1, 2 ,- 3!", "A. 6 ", "A* 3 , 2 *", "A % 2", "\rhelp\r", "\r Exit\n", "\rquit",
+            "\rhomes\r"]
 COMMANDS += [command["example"] for part in json.loads(DATA.read_text(encoding="utf-8")).values()
              if isinstance(part, list) for command in part]
 AFTER_A_LABEL = ["--5\r", "+ 5 ", "-\r5\r", "+X", "- X3 ", "-+3 ", "5 5 ", "5+5\r", "+5-3\r", "+200 5 ", "300S5 ", "0S",
                  "255S", "256S", "254S", "1S", "+5S", "5 S", "S5 ", "SX", "z5 ", "=+3 ", "zZ3 ", "z?5 ", "P95 ", "5P1",
-                 "Px5 ", "5A$", "+0\r", "-0 ", "-128\r", "+127\r", "A#5 ", "$", "5\x00?", "+1\x004 "]
+                 "Px5 ", "5A$", "+0\r", "-0 ", "-128\r", "+127\r", "A#5 ", "$", "5\x00?", "+1\x004 ", "+2.5\r", "2.X",
+                 "-.5 "]
 TELNET = [b"\xff\xfb\x01", b"\xff\xfd\x06", b"\xff\xfe\x03", b"\xff\xfc\x03", b"\xff\xfd\x01", b"\xff\xf6", b"\xff\xff",
           b"\xffE", b"\xff\xfa\x18\x00vt100\xff\xf0", b"\xff\xf4\xff\xfd\x06", b"\xff\xfaE+5\xff\xff\r\xff\xf0",
           b"\xff\xfa" + b"z" * 511 + b"CD?E?", b"\xff\xf1", b"\xff\xfbE", b"\xff"]

@@ -37,6 +37,14 @@ test("explanations appear beside their own command, even if commands follow quic
     assert.doesNotMatch(await row(page, 3).textContent(), /move/);
   }));
 
+test("a word is told, behind its letters, that it is none", () =>
+  withPage(["--clock", "manual"], async (page) => {
+    await page.click("#tab-console");
+    await enter(page, "home");
+    await page.waitForSelector("#console-log .warning:has-text('A$ returns to the soft home')");
+    assert.match(await row(page, 1).textContent(), /^home↵ · auxiliary port 2 off · auxiliary port 1 off · home: the controller has no such word/);
+  }));
+
 test("a warning has the alarm colour", () =>
   withPage(["--clock", "manual"], async (page) => {
     await page.click("#tab-console");

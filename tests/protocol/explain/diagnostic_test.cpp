@@ -13,12 +13,16 @@ namespace {
 using std::string_view_literals::operator""sv;
 
 constexpr ProblemCode kProblems[] = {
-    ProblemCode::kUnknownByte,       ProblemCode::kNumberOutOfRange,  ProblemCode::kSpeedOutOfRange,
-    ProblemCode::kNoJointSelected,   ProblemCode::kIncompleteCommand, ProblemCode::kBadViewVector,
-    ProblemCode::kBadCameraArgument, ProblemCode::kDisabled};
-constexpr Subject kSubjects[] = {Subject::kNone,   Subject::kMove,   Subject::kSpeed,
-                                 Subject::kOutput, Subject::kView,   Subject::kCamera,
-                                 Subject::kPeriod, Subject::kStatus, Subject::kSkippedNumber};
+    ProblemCode::kUnknownByte,       ProblemCode::kNumberOutOfRange,
+    ProblemCode::kSpeedOutOfRange,   ProblemCode::kNoJointSelected,
+    ProblemCode::kIncompleteCommand, ProblemCode::kBadViewVector,
+    ProblemCode::kBadCameraArgument, ProblemCode::kDisabled,
+    ProblemCode::kDecimalPoint,      ProblemCode::kWord};
+constexpr Subject kSubjects[] = {Subject::kNone,   Subject::kMove,      Subject::kSpeed,
+                                 Subject::kOutput, Subject::kView,      Subject::kCamera,
+                                 Subject::kPeriod, Subject::kStatus,    Subject::kSkippedNumber,
+                                 Subject::kHelp,   Subject::kLeaving,   Subject::kStopping,
+                                 Subject::kHoming, Subject::kResetting, Subject::kJaws};
 
 TEST(Diagnostic, CodesAreStable) {
   EXPECT_EQ(code_of(ProblemCode::kUnknownByte), "unknown_byte");
@@ -29,6 +33,9 @@ TEST(Diagnostic, CodesAreStable) {
   EXPECT_EQ(code_of(ProblemCode::kBadViewVector), "bad_view_vector");
   EXPECT_EQ(code_of(ProblemCode::kBadCameraArgument), "bad_camera_argument");
   EXPECT_EQ(code_of(ProblemCode::kDisabled), "disabled");
+  EXPECT_EQ(code_of(ProblemCode::kNotForDevice), "not_for_device");
+  EXPECT_EQ(code_of(ProblemCode::kDecimalPoint), "decimal_point");
+  EXPECT_EQ(code_of(ProblemCode::kWord), "word");
   EXPECT_EQ(code_of(WarningCode::kCounterOverflow), "counter_overflow");
   EXPECT_EQ(code_of(WarningCode::kNoSuchJoint), "no_such_joint");
   EXPECT_EQ(code_of(WarningCode::kBadCameraArgument), "bad_camera_argument");

@@ -135,6 +135,40 @@ TEST(Explain, JunkIsReportedPerRun) {
             "skipped (40 in a row)\n");
 }
 
+TEST(Explain, AWordIsExplainedBehindItsLetters) {
+  Tap tap(test::rhino());
+  EXPECT_EQ(tap.send("help\r"),
+            "> help\\r\n"
+            "  1..3 auxiliary_1_on: auxiliary port 1 on\n"
+            "  3..4 incomplete_command: p: P and R need the number of an output line, 1...8; "
+            "ignored\n"
+            "  0..5 word: help: the controller has no such word: each letter was a command; E+50 "
+            "moves joint E, E? asks how far it has to go, and docs/protocol.md has all commands\n");
+  const std::string quit = tap.send("QUIT\r");
+  EXPECT_NE(quit.find("\n  5..10 word: QUIT: the controller has no such word: each letter was a "
+                      "command; to leave, close the connection: ~. in xr3 term, Ctrl-] and quit in "
+                      "telnet, Ctrl-C in nc\n<"),
+            std::string::npos)
+      << quit;
+}
+
+TEST(Explain, CountsAreWholeNumbers) {
+  Tap tap(test::rhino());
+  EXPECT_EQ(tap.send("E+2.5\r"),
+            "> E+2.5\\r\n"
+            "  0..3 move: move E +2, counter 2\n"
+            "  3..4 decimal_point: .: counts and speeds are whole numbers: the number ended before "
+            "the point; skipped\n"
+            "  4..5 unknown_byte: 5: skipped: after an unknown byte, numbers are ignored up to the "
+            "next letter\n");
+  EXPECT_EQ(tap.send("A+2.5\r"),
+            "> A+2.5\\r\n"
+            "  6..9 move: move A +2, counter 2\n"
+            "  9..10 decimal_point: .: counts are whole numbers: the number ended before the "
+            "point, and A. sets the refresh period\n"
+            "  9..12 set_refresh_period: display redrawn every 2.5 s\n");
+}
+
 TEST(Explain, SpeedsStopsAndReset) {
   Tap tap(test::rhino());
   EXPECT_EQ(tap.send("E60SEXQ"),

@@ -142,6 +142,32 @@ TEST(RhinoParser, RejectsIncompleteNumbers) {
   });
 }
 
+TEST(RhinoParser, APointEndsANumber) {
+  expect_rows_in_both_profiles({
+      {"E+2.5\r", "E+2 decimal_point unknown_byte"},
+      {"E2.5\rE?", "E+2 decimal_point unknown_byte E?"},
+      {"E60.5S", "E+60 decimal_point unknown_byte unknown_byte"},
+      {"E+2.X", "E+2 decimal_point EX"},
+      {"E+.5\r", "incomplete_command decimal_point unknown_byte"},
+      {"A+2.5\r", "A+2 decimal_point A.5"},
+      {"A+.5\r", "incomplete_command decimal_point A.5"},
+      {"E.5\r", "unknown_byte unknown_byte"},
+      {"E+2 .5\r", "E+2 unknown_byte unknown_byte"},
+      {"E5S.5\r", "E5S unknown_byte unknown_byte"},
+  });
+}
+
+TEST(RhinoParser, AWordIsReportedBehindItsLetters) {
+  expect_rows_in_both_profiles({
+      {"help\r", "L incomplete_command word"},
+      {"Exit\r", "EX I ET word"},
+      {"home\n", "O M word"},
+      {"quit\rE+5\r", "Q unknown_byte I no_joint_selected word E+5"},
+      {"helpE+5\r", "L incomplete_command E+5"},
+      {"home", "O M"},
+  });
+}
+
 TEST(RhinoParser, AcceptsZero) {
   expect_rows_in_both_profiles({
       {"E+0\r", "E+0"},
@@ -416,6 +442,9 @@ TEST(RhinoParser, EachItemHasItsBytes) {
       {"P\rQ", 1, 2, 3, "Q"},
       {"E--5", 0, 0, 2, "E-"},
       {"E--5", 1, 2, 3, "-"},
+      {"E+2.5", 1, 3, 4, "."},
+      {"A+2.5 ", 2, 3, 6, ".5 "},
+      {"\r\nhelp\r", 2, 2, 7, "help\r"},
       {"?", 0, 0, 1, "?"},
       {"ECE+5\r", 0, 2, 6, "E+5\r"},
       {"\xff", 0, 0, 1, "\xff"},
@@ -518,6 +547,7 @@ TEST(RhinoParser, WhileDisabledAcceptsOnlyTheEnablingCommand) {
       {"A*3", "*", "disabled"},
       {"A*3", "A@", "A@"},
       {"P", "3", "disabled"},
+      {"hel", "p\r", "disabled"},
   };
   for (const DisabledRow& row : rows) {
     EXPECT_EQ(words(parse_disabled(row.before, row.bytes)), row.meaning)

@@ -50,6 +50,13 @@ TEST(LineDecoder, ExplainsIgnoredBytes) {
   EXPECT_EQ(line.send(std::string(10000, '(')).size(), 1U);
 }
 
+TEST(LineDecoder, ExplainsAWordAtItsLineEnd) {
+  LineDecoder line(without_robot());
+  EXPECT_EQ(line.send("home"), Lines{});
+  EXPECT_EQ(line.send("\r"), Lines{"home: the controller has no such word: each letter was a "
+                                   "command; A$ returns to the soft home"});
+}
+
 TEST(LineDecoder, BytesThatAnswerNothing) {
   LineDecoder line(without_robot());
   EXPECT_EQ(line.receive("A"), Lines{"65  not asked for: A"});

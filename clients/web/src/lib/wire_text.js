@@ -1,6 +1,6 @@
 // Text for `line` messages, shared by wire panel and console: transcript lines and warnings.
 
-const kWarnings = /unknown|range|no_joint|incomplete|bad_|disabled|overflow|no_such|narrow|below|in_air|overlap|suppressed|held_back|not_for_device|device_silent|hurry|pty_cooked/;
+const kWarnings = /unknown|range|no_joint|incomplete|bad_|disabled|overflow|no_such|narrow|below|in_air|overlap|suppressed|held_back|not_for_device|device_silent|hurry|pty_cooked|decimal|^word$/;
 
 /** Whether the code of a `line` message's item means that a command was not executed or failed. */
 export const isWarning = (code) => kWarnings.test(code);

@@ -8,6 +8,7 @@ import { isWarning } from "../lib/wire_text.js";
 const kMaxRows = 200;
 const kMaxEarly = 256;
 const kMaxHexShown = 16;
+const kNeedsCr = /[0-9]$|^[a-z]{3,}$/i; // a number ends, and a word is told that it is none
 const bytesOf = (text) => new TextEncoder().encode(text).length;
 
 export class ConsolePanel {
@@ -98,7 +99,7 @@ export class ConsolePanel {
     this.history.push(text);
     this.at = this.history.length;
     this.input.value = "";
-    this.send(/[0-9]$/.test(text) ? `${text}\r` : text);
+    this.send(kNeedsCr.test(text) ? `${text}\r` : text);
   }
 
   #recall(event) {
