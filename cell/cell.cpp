@@ -289,6 +289,7 @@ void Cell::emit_at(Tick tick, std::optional<LineId> line, CellNote note) {
   event = {epoch_, tick, line, std::move(note)};
   if (sink_) sink_(event, model());
   for (CellWatcher* watcher : watchers_) watcher->event(*this, event);
+  if (const auto contested = contests_.handle(event)) emit_at(tick, line, *contested);
 }
 
 void Cell::emit_machine_events(std::optional<LineId> line, Events events) {

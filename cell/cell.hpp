@@ -26,6 +26,7 @@
 #include "core/sim_clock.hpp"
 #include "core/simulation.hpp"
 #include "protocol/explain/cell_event.hpp"
+#include "protocol/explain/contest.hpp"
 #include "protocol/explain/wire_record.hpp"
 #include "protocol/monitor/feed.hpp"
 #include "protocol/monitor/snapshot.hpp"
@@ -347,6 +348,7 @@ class Cell final : private LineListener {
   std::vector<Exchange> exchanges_;  ///< of the bytes being received; reuses its memory
   std::size_t emitted_ = 0;          ///< of exchanges_, while bytes move time
   WarningLimiter warnings_;
+  ContestObserver contests_;
   /// Converted to text on request, with the current model. The text of an event depends only on the
   /// robot, which never changes. Storing a model for each event would pin changed workcells.
   monitor::Ring<CellEvent> events_;

@@ -32,6 +32,7 @@ void Cell::restore(const Checkpoint& from) {
   was_manual_ = from.was_manual;
   woken_.clear();
   warnings_ = {};
+  contests_ = {};
   is_replayed_ = true;
   ++revision_;
 }

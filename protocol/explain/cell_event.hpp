@@ -71,6 +71,11 @@ struct LineClosedNote {
 struct LineTurnNote {
   LineId waits_for = 0;  ///< 0 if its turn begins
 };
+/// The line has moved a joint that still has counts to go from a move of another one.
+struct ContestedNote {
+  LineId other = 0;
+  char label = 0;
+};
 struct ClockNote {
   std::string_view call;  ///< pause, resume or rate
   ClockMode mode = ClockMode::kReal;
@@ -132,8 +137,8 @@ struct RecordingNote {
 
 using CellNote =
     std::variant<EventBody, ProblemNote, SuppressedNote, LineOpenedNote, LineClosedNote,
-                 LineTurnNote, ClockNote, ModelNote, EpochNote, HandoverNote, DeviceNote,
-                 CellOpenedNote, CellClosedNote, RecordingNote>;
+                 LineTurnNote, ContestedNote, ClockNote, ModelNote, EpochNote, HandoverNote,
+                 DeviceNote, CellOpenedNote, CellClosedNote, RecordingNote>;
 
 struct CellEvent {
   Epoch epoch = 0;

@@ -188,6 +188,14 @@ struct CellEvents {
             waits ? waits_text(note.waits_for) : "the turn of " + line() + " begins",
             {{"waits_for", waits ? Json(note.waits_for) : Json(nullptr)}}};
   }
+  EventReport operator()(const ContestedNote& note) const {
+    return {"contested",
+            "contested",
+            line() + " moves " + note.label + " while it has counts to go from a move of line " +
+                std::to_string(note.other) +
+                ": two programs move one joint, and the counts of both add up",
+            {{"joint", letter_text(note.label)}, {"other_line", note.other}}};
+  }
   EventReport operator()(const ClockNote& note) const {
     return {"clock", note.call, text_of(note), {{"clock", clock_json(note.mode, note.rate)}}};
   }

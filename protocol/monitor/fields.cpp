@@ -11,7 +11,7 @@ std::vector<std::string> event_members() {
           "error",  "by",    "closed",     "block",    "xyz_mm",    "yaw_deg",   "input",
           "output", "aux",   "value",      "enabled",  "offset",    "hex",       "kind",
           "peer",   "clock", "from_epoch", "bytes_in", "from_tick", "bytes_out", "model_rev",
-          "device", "fault", "phase",      "effects",  "waits_for", "file"};
+          "device", "fault", "phase",      "effects",  "waits_for", "file",      "other_line"};
 }
 
 /// The members of each channel, indexed by Channel.

@@ -282,6 +282,7 @@ TEST(ByteClockCell, ObeysOneLineAtATime) {
   EXPECT_EQ(lab.motor('E').count, 100) << "a line that waited ends without effect";
   lab.close(second);
   EXPECT_EQ(lab.motor('E').count, 95);
+  EXPECT_EQ(lab.events("contested").size(), 0U);
   EXPECT_EQ(lab.marks(), kNoMarks);
 }
 

@@ -283,6 +283,23 @@ TEST(Cell, ABlockThatACallPlacesInAnotherOneIsReported) {
   EXPECT_EQ(lab.cell.counters().warnings.at("blocks_overlap"), 2U);
 }
 
+TEST(Cell, TwoLinesThatMoveOneJointAreReported) {
+  Lab lab;
+  lab.open(1);
+  lab.open(2);
+  lab.send(1, "E+50\r");
+  lab.call(call::Step{100});
+  EXPECT_TRUE(lab.notes<ContestedNote>().empty());
+  lab.send(2, "E+5\rE+5\r");
+  ASSERT_EQ(lab.notes<ContestedNote>().size(), 1U);
+  const CellEvent& contested = lab.events.at(lab.events.size() - 2);
+  ASSERT_TRUE(std::holds_alternative<ContestedNote>(contested.note)) << "behind the first move";
+  EXPECT_EQ(contested.line, 2U);
+  EXPECT_EQ(contested.tick, 100);
+  EXPECT_EQ(std::get<ContestedNote>(contested.note).other, 1U);
+  EXPECT_EQ(std::get<ContestedNote>(contested.note).label, 'E');
+}
+
 TEST(Cell, ALineOpenedWhileDisabledGetsAProblem) {
   Lab lab;
   lab.open(1);

@@ -45,6 +45,15 @@ test("a warning of the machine stands between the bytes and is not counted", () 
     assert.ok(await row.isVisible());
   }));
 
+test("two programs that move one joint are told between the bytes", () =>
+  withPage(["--clock", "manual"], async (page, server) => {
+    await page.evaluate(() => window.xr3.call("send", { text: "E+50\r" }));
+    await call(server.monitor, "send", { text: "E-5\r" });
+    const row = page.locator("#wire li.warning");
+    await row.waitFor();
+    assert.match(await row.textContent(), /^@0 contested: line 2 moves E while it has counts to go from a move of line 1/);
+  }));
+
 const withBytes = (act) => withPage(["--clock", "manual"], async (page, server) => {
   await type(server.robot, "E+5\r");
   await says(page, /^1 message$/);

@@ -257,7 +257,7 @@ function takeEvent(event) {
   if (kOfLines.has(event.event)) lines.touch();
   if (event.event === "cell_closed") showMessage("This robot is gone: its program has closed the connection, and nobody came back.");
   if (event.line === null && (event.event === "warning" || event.event === "device")) wire.warn(event);
-  if (event.event === "fault") wire.warn(event);
+  if (event.event === "fault" || event.event === "contested") wire.warn(event);
 }
 
 // The event arrives before the next state and has the tick at which the new speed took effect.

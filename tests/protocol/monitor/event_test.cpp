@@ -113,6 +113,14 @@ TEST(EventJson, LinesWaitAndHaveTheirTurn) {
                                       R"("message":"the turn of line 4 begins","waits_for":null})");
 }
 
+TEST(EventJson, TwoLinesMoveOneJoint) {
+  EXPECT_EQ(shown(ContestedNote{1, 'E'}, 4),
+            R"({"event":"contested","line":4,"code":"contested",)"
+            R"("message":"line 4 moves E while it has counts to go from a move of line 1: two )"
+            R"(programs move one joint, and the counts of both add up","joint":"E",)"
+            R"("other_line":1})");
+}
+
 TEST(EventJson, CellsOpenAndClose) {
   EXPECT_EQ(
       shown(CellOpenedNote{"c3"}),

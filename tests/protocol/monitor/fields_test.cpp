@@ -55,6 +55,7 @@ TEST(MonitorFields, EventsHaveTheFieldsOfAllKinds) {
       LineOpenedNote{},
       LineClosedNote{},
       LineTurnNote{1},
+      ContestedNote{1, 'E'},
       ClockNote{"pause", ClockMode::kManual, {}},
       ModelNote{"block_add", "red", 2},
       EpochNote{"reset", 0, 7},
