@@ -4,6 +4,8 @@ set(manual "${PROJECT_BINARY_DIR}/cli/manual")
 set(doc "${CMAKE_INSTALL_DATADIR}/doc/xr3")
 install(TARGETS xr3)
 install(DIRECTORY data/ DESTINATION "${CMAKE_INSTALL_DATADIR}/xr3")
+install(DIRECTORY build/site/ DESTINATION "${CMAKE_INSTALL_DATADIR}/xr3/docs" OPTIONAL  # by scripts/site
+  PATTERN "*.map" EXCLUDE)
 install(DIRECTORY docs/course/ DESTINATION "${CMAKE_INSTALL_DATADIR}/xr3/exercises")
 install(DIRECTORY "${manual}/" DESTINATION "${CMAKE_INSTALL_DATADIR}" PATTERN zsh EXCLUDE)
 install(DIRECTORY clients/python/ DESTINATION "${CMAKE_INSTALL_DATADIR}/xr3/python"

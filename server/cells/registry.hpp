@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "server/cells/hosted_cell.hpp"
-#include "server/session/access.hpp"
+#include "server/files/sha256.hpp"
 
 namespace xr3 {
 
@@ -39,7 +39,7 @@ class CellRegistry {
 
  private:
   std::vector<CellPtr> all_;
-  std::map<TokenDigest, CellPtr> by_token_;
+  std::map<Sha256, CellPtr> by_token_;
   std::uint64_t total_ = 0;
   bool is_dynamic_ = false;
   std::map<std::string, CellPtr, std::less<>> by_name_;

@@ -122,6 +122,13 @@ fs::path exercises_folder() {
   return fs::is_directory(installed, error) ? installed : data / "../docs/course";
 }
 
+fs::path documentation_folder() {
+  const fs::path data = data_folder();
+  std::error_code error;
+  const fs::path installed = data / "docs";
+  return fs::is_directory(installed, error) ? installed : data / "../build/site";
+}
+
 std::vector<std::string> names_of_exercises() {
   std::vector<std::string> names;
   std::error_code error;

@@ -8,7 +8,7 @@
 // the folder of the target is renamed, so that a reader never gets half a file. The port file
 // (port_file.hpp) is such a file, removed at the end. raster.hpp and png.hpp turn a picture of
 // tools/drawing, or an image of the camera, into PNG bytes. descriptor.hpp owns file descriptors;
-// sha256.cpp defines the digest that cell declares. All errors of files are a FileError, whose
+// sha256.hpp makes digests, of which cell declares one form. All errors of files are a FileError, whose
 // message names the file and the reason.
 #pragma once
 
@@ -51,6 +51,10 @@ inline constexpr const char* kExerciseFile = "exercise.json";
 /// The folder of the exercises that come with xr3, and of the header robot.h for programs in C.
 /// Throws FileError if there is no data folder.
 std::filesystem::path exercises_folder();
+
+/// The folder of the documentation as a site, in an installation or in a checkout. It may not exist.
+/// Throws FileError if there is no data folder.
+std::filesystem::path documentation_folder();
 
 /// The names of these exercises, sorted. Throws FileError if there is no data folder.
 std::vector<std::string> names_of_exercises();

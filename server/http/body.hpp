@@ -14,7 +14,9 @@ class Body {
  public:
   Body() = default;
   Body(std::string text)  // NOLINT(google-explicit-constructor): a text is a body
-      : text_(std::make_shared<const std::string>(std::move(text))), bytes_(*text_) {}
+      : Body(std::make_shared<const std::string>(std::move(text))) {}
+  /// Shares a text. Precondition: it is not null.
+  explicit Body(std::shared_ptr<const std::string> text) : text_(std::move(text)), bytes_(*text_) {}
   /// `bytes` must exist until the end of the process.
   static Body of_static(std::string_view bytes) {
     Body body;

@@ -196,7 +196,8 @@ std::string head_text(unsigned status, const std::vector<Field>& fields, std::si
   head.result(status);
   for (const Field& field : fields) head.insert(field.name, field.value);
   head.set(beast::http::field::content_length, std::to_string(body_bytes));
-  for (const Field& field : safety_fields()) head.insert(field.name, field.value);
+  for (const Field& field : safety_fields())
+    if (head.count(field.name) == 0) head.insert(field.name, field.value);
   head.insert(beast::http::field::connection, then == Then::kKeep ? "keep-alive" : "close");
   TextStream text;
   text << head;

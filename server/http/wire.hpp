@@ -69,7 +69,7 @@ struct HeadReading {
 /// Parses the head at the start of the received bytes. kIncomplete: it may become valid with more.
 HeadReading read_head(std::string_view received);
 
-/// The head of a response, with the safety fields and the final empty line.
+/// The head of a response, with the safety fields that `fields` lacks and the final empty line.
 std::string head_text(unsigned status, const std::vector<Field>& fields, std::size_t body_bytes,
                       Then then);
 

@@ -100,7 +100,8 @@ HttpResources::HttpResources(MonitorService& service, const AccessPolicy& policy
     : service_(service),
       policy_(policy),
       not_ready_(std::move(not_ready)),
-      count_(std::move(count)) {}
+      count_(std::move(count)),
+      documentation_(service.worker()) {}
 
 // --- Access.
 
@@ -187,6 +188,7 @@ asio::awaitable<Answer> HttpResources::answer(const HttpRequest& request) {
     if (at) at->cell().catch_up(wall_now());
     co_return co_await (this->*route.show)(std::move(at), request);
   }
+  if (Documentation::has(path)) co_return co_await documentation_.answer(std::string(path));
   co_return page(request);
 }
 

@@ -9,7 +9,7 @@
 namespace xr3 {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 14> kTypes{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 16> kTypes{{
     {".html", "text/html; charset=utf-8"},
     {".js", "text/javascript; charset=utf-8"},
     {".mjs", "text/javascript; charset=utf-8"},
@@ -18,26 +18,28 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 14> kTypes{{
     {".map", "application/json"},
     {".svg", "image/svg+xml"},
     {".png", "image/png"},
+    {".gif", "image/gif"},
     {".ico", "image/x-icon"},
     {".webp", "image/webp"},
     {".woff2", "font/woff2"},
     {".wasm", "application/wasm"},
     {".txt", "text/plain; charset=utf-8"},
+    {".xml", "application/xml"},
     {".glb", "model/gltf-binary"},
 }};
 
-std::string_view type_of(std::string_view path) {
+}  // namespace
+
+std::string_view web_type(std::string_view path) {
   const auto* known = std::find_if(kTypes.begin(), kTypes.end(),
                                    [path](const auto& type) { return path.ends_with(type.first); });
   return known == kTypes.end() ? "application/octet-stream" : known->second;
 }
 
-}  // namespace
-
 WebAsset find_web_asset(std::string_view path) {
   for (const EmbeddedFile& file : embedded_files()) {
     const auto size = static_cast<std::size_t>(file.end - file.begin);
-    if (path == file.path) return {type_of(path), {file.begin, size}};
+    if (path == file.path) return {web_type(path), {file.begin, size}};
   }
   return {};
 }

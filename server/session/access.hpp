@@ -4,7 +4,6 @@
 // Independent of connections.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -12,10 +11,6 @@
 #include "protocol/monitor/http_guard.hpp"
 
 namespace xr3 {
-
-using TokenDigest = std::array<std::uint8_t, 32>;
-/// The SHA-256 digest of a token.
-TokenDigest digest_of_token(std::string_view token);
 
 /// Whether reading the cell requires the token, too.
 enum class ReadAccess : std::uint8_t { kFree, kWithToken };
