@@ -8,8 +8,8 @@
 // the folder of the target is renamed, so that a reader never gets half a file. The port file
 // (port_file.hpp) is such a file, removed at the end. raster.hpp and png.hpp turn a picture of
 // tools/drawing, or an image of the camera, into PNG bytes. descriptor.hpp owns file descriptors;
-// sha256.hpp makes digests, of which cell declares one form. All errors of files are a FileError, whose
-// message names the file and the reason.
+// sha256.hpp makes digests, of which cell declares one form. All errors of files are a FileError,
+// whose message names the file and the reason.
 #pragma once
 
 #include <filesystem>
@@ -52,8 +52,8 @@ inline constexpr const char* kExerciseFile = "exercise.json";
 /// Throws FileError if there is no data folder.
 std::filesystem::path exercises_folder();
 
-/// The folder of the documentation as a site, in an installation or in a checkout. It may not exist.
-/// Throws FileError if there is no data folder.
+/// The folder of the documentation as a site, in an installation or in a checkout; it may not
+/// exist. Throws FileError if there is no data folder.
 std::filesystem::path documentation_folder();
 
 /// The names of these exercises, sorted. Throws FileError if there is no data folder.

@@ -1,4 +1,3 @@
-// Also defines sha256() of cell/digest.hpp.
 #include "server/files/sha256.hpp"
 
 #include <nettle/sha2.h>
@@ -18,6 +17,7 @@ Sha256 sha256_bytes(std::string_view text) {
   return digest;
 }
 
+// Declared in cell/digest.hpp.
 std::string sha256(std::string_view text) {
   const Sha256 digest = sha256_bytes(text);
   return "sha256:" + hexadecimal({reinterpret_cast<const char*>(digest.data()), digest.size()});

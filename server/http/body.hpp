@@ -2,6 +2,7 @@
 // however many clients it waits to be sent.
 #pragma once
 
+#include <cassert>
 #include <cstddef>
 #include <memory>
 #include <string>
@@ -16,7 +17,10 @@ class Body {
   Body(std::string text)  // NOLINT(google-explicit-constructor): a text is a body
       : Body(std::make_shared<const std::string>(std::move(text))) {}
   /// Shares a text. Precondition: it is not null.
-  explicit Body(std::shared_ptr<const std::string> text) : text_(std::move(text)), bytes_(*text_) {}
+  explicit Body(std::shared_ptr<const std::string> text) : text_(std::move(text)) {
+    assert(text_);
+    bytes_ = *text_;
+  }
   /// `bytes` must exist until the end of the process.
   static Body of_static(std::string_view bytes) {
     Body body;

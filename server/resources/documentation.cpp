@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -126,8 +127,10 @@ bool Documentation::has(std::string_view path) {
 }
 
 asio::awaitable<Answer> Documentation::answer(std::string path) {
+  assert(has(path));
   path.erase(0, kRoot.size());
-  co_return co_await worker_.run([site = site_, path] { return site->answer(path); });
+  auto work = [site = site_, path] { return site->answer(path); };  // g++ 12: as in pictures.cpp
+  co_return co_await worker_.run(std::move(work));
 }
 
 }  // namespace xr3

@@ -14,16 +14,18 @@ OUTSIDE = re.compile(r"(https?:)?//")
 OF_STYLE = re.compile(r"""(?:url\(\s*|@import\s+)["']?([^"')\s]+)""")
 BLOCKS = set("p li ul ol pre h1 h2 h3 h4 h5 h6 table thead tbody tr td th blockquote details summary div hr article "
              "section".split())
+MOST_BYTES = 4 * 1024 * 1024
 VOID = set("area base br col embed hr img input link meta source track wbr".split())
 
 
 class Page(html.parser.HTMLParser):
-    """One page: `anchors`, `links` and `assets` as written, `styles`, the navigation's links, and the text `blocks`
-    of the article as (list depth, kind, text), in which headings, code, cells and other text differ in kind."""
+    """One page: `anchors`, `links` and `assets` as written, `styles`, the attributes `inline` with a style or script, the
+    navigation's links, and the text `blocks` of the article as (list depth, kind, text), in which headings, code, cells
+    and other text differ in kind."""
 
     def __init__(self, text, whole=False):
         super().__init__()
-        self.anchors, self.links, self.assets, self.styles = set(), [], [], []
+        self.anchors, self.links, self.assets, self.styles, self.inline = set(), [], [], [], []
         self.navigation, self.blocks = [], []
         self._open, self._text, self._whole = [], "", whole
         self.feed(text)
@@ -35,6 +37,7 @@ class Page(html.parser.HTMLParser):
             self.anchors.add(attributes["id"])
         if tag == "a" and "name" in attributes:
             self.anchors.add(attributes["name"])
+        self.inline += [name for name in attributes if name == "style" or name.startswith("on")]
         if "style" in attributes:
             self.styles.append(attributes["style"])
         if tag in ("a", "area") and "href" in attributes:
@@ -144,6 +147,12 @@ class Site:
             problems += [f"{path.relative_to(self.folder)}: loads {asset}" for asset in OF_STYLE.findall(text)
                          if OUTSIDE.match(asset)]
         return problems
+
+    def not_served(self):
+        """Attributes that the Content-Security-Policy of `xr3 serve` blocks, and files that are too large for it."""
+        return [*(f"{name}: has an attribute {each}" for name, page in self.pages.items() for each in page.inline),
+                *(f"{path.relative_to(self.folder)}: has more than 4 MiB" for path in sorted(self.folder.rglob("*"))
+                  if path.stat().st_size > MOST_BYTES)]
 
     def not_once(self, expected):
         """Pages that the navigation does not have exactly once, as the page 404.html shows it."""

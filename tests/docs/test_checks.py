@@ -11,7 +11,7 @@ import unittest
 
 import yaml
 
-from built_site import Page, Site
+from built_site import MOST_BYTES, Page, Site
 
 ROOT = pathlib.Path(os.environ["XR3_ROOT"])
 PAGE = """<!doctype html><link rel="stylesheet" href="style.css"><link rel="canonical" href="https://example.org/">
@@ -68,6 +68,13 @@ class BrokenSites(unittest.TestCase):
             with self.subTest(body):
                 self.write("a/b.html", body)
                 self.assertEqual([problem], self.problems())
+
+    def test_what_the_server_would_not_show(self):
+        self.assertEqual([], Site(self.folder).not_served())
+        (self.folder / "large.gif").write_bytes(bytes(MOST_BYTES + 1))
+        self.write("a/b.html", '<p style="color: red"><button onclick="run()">')
+        self.assertEqual(["a/b.html: has an attribute style", "a/b.html: has an attribute onclick",
+                          "large.gif: has more than 4 MiB"], Site(self.folder).not_served())
 
     def test_a_style_sheet_that_loads_a_font(self):
         text = "@font-face { src: url('https://example.org/f.woff2') }"

@@ -52,6 +52,9 @@ class BuiltSite(unittest.TestCase):
     def test_nothing_comes_from_another_server(self):
         self.none(self.site.outside_assets())
 
+    def test_the_server_shows_all_of_it(self):
+        self.none(self.site.not_served())
+
     def test_each_page_is_in_the_navigation_once(self):
         self.assertGreater(len(sources()), 80)
         self.none(self.site.not_once(sources()))

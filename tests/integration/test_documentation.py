@@ -1,5 +1,6 @@
 """The documentation below /docs/: a made-up site, read over sockets as a hostile client would."""
 
+# labels: release
 import base64
 import hashlib
 import json

@@ -24,15 +24,18 @@ WORK = ROOT / "build" / "packages-test"
 VERSION = re.search(r"project\(xr3 VERSION (\S+)", (ROOT / "CMakeLists.txt").read_text()).group(1)
 NEXT = "9.8.7"
 
-# Asks the robot at port 9600 for the error of a motor, by bash alone.
+# Asks the robot at port 9600 for the error of a motor, and port 9601 for the documentation, by bash alone.
 SERVE_AND_ASK = """
 xr3 serve --log-level warn >/tmp/out & server=$!
 until grep -q LISTENING /tmp/out; do kill -0 $server; done
 /bin/bash -c 'exec 3<>/dev/tcp/127.0.0.1/9600; printf "E?" >&3
-  IFS= read -r -n 1 -t 10 reply <&3; printf "reply [%s]\\n" "$reply"'
+  IFS= read -r -n 1 -t 10 reply <&3; printf "reply [%s]\\n" "$reply"
+  exec 4<>/dev/tcp/127.0.0.1/9601; printf "GET /docs/ HTTP/1.1\\r\\nHost: localhost\\r\\n\\r\\n" >&4
+  IFS= read -r -t 10 status <&4; printf "docs [%s]\\n" "${status%?}"'
 xr3 healthcheck
 kill $server; wait $server
 """
+ANSWERS = "reply [ ]\ndocs [HTTP/1.1 200 OK]\n"  # a blank: no error
 
 
 def run(*command, cwd=ROOT, timeout=3000, **options):
@@ -143,7 +146,7 @@ class DebianPackage(Built):
         self.check_token(root)
         self.assertTrue(root.has("/usr/share/xr3/python/xr3/__init__.py"))
         self.assertIn("ExecStart=/usr/bin/xr3 serve", root.read("/usr/lib/systemd/system/xr3.service"))
-        self.assertIn("reply [ ]", root.run(SERVE_AND_ASK, timeout=60))  # a blank: no error
+        self.assertIn(ANSWERS, root.run(SERVE_AND_ASK, timeout=60))
         self.assertIn("rhino-xr3", root.run("cd /tmp && xr3 draw /tmp/arm.png && xr3 completion robots"))
         self.upgrade(root)
         self.remove_and_purge(root)
@@ -247,9 +250,9 @@ class Tarball(Built):
                 path = root.put(archive)
                 root.run(f"mkdir /opt/here; tar -C /opt/here -xzf {path}")
                 path_of_here = f"PATH=/opt/here/{archive.name.removesuffix('.tar.gz')}/bin:$PATH; cd /tmp;"
-                self.assertIn("reply [ ]", root.run(path_of_here + SERVE_AND_ASK, user=1000, timeout=60))
+                self.assertIn(ANSWERS, root.run(path_of_here + SERVE_AND_ASK, user=1000, timeout=60))
                 root.run(f"tar xf {path} -C /usr/local --strip-components=1; rm -r /opt/here {path} /tmp/out")
-                self.assertIn("reply [ ]", root.run("cd /tmp;" + SERVE_AND_ASK, user=1000, timeout=60))
+                self.assertIn(ANSWERS, root.run("cd /tmp;" + SERVE_AND_ASK, user=1000, timeout=60))
                 self.assertIn("=/usr/local/bin/xr3 serve", root.read("/usr/local/lib/systemd/system/xr3.service"))
 
     def test_needs_no_library_but_those_of_the_c_library(self):
@@ -309,7 +312,8 @@ class Release(unittest.TestCase):
         document = json.loads(path.read_text(encoding="utf-8"))
         self.assertEqual("SPDX-2.3", document["spdxVersion"])
         names = {each["name"]: each for each in document["packages"]}
-        self.assertLessEqual({"xr3", "libgcc-s1", "libstdc++6", "libboost1.81-dev", "nettle-dev", "three", "uplot"},
+        self.assertLessEqual({"xr3", "libgcc-s1", "libstdc++6", "libboost1.81-dev", "nettle-dev", "three", "uplot",
+                              "mkdocs-material"},
                              set(names))
         self.assertEqual(NEXT, names["xr3"]["versionInfo"])
         self.assertTrue(all(each["versionInfo"] and each["licenseDeclared"] for each in names.values()))
