@@ -4,6 +4,7 @@
 #include <array>
 #include <iterator>
 
+#include "core/drawing/stick_figure.hpp"
 #include "core/grasp.hpp"
 
 namespace xr3 {
@@ -122,14 +123,16 @@ Eigen::Vector3d point_mm(const PointUm& p) { return {mm(p.x), mm(p.y), mm(p.z)};
 
 std::vector<Wire> robot_wires(const Model& model, const Positions& positions) {
   const std::vector<Transform> frames = base_transforms(model, positions);
-  const std::vector<Outline>& links = model.robot().links;
+  const std::optional<Robot> figure = stick_figure(model.robot());
+  const Robot& robot = figure ? *figure : model.robot();
+  const std::vector<Outline>& links = robot.links;
   std::vector<Wire> wires;
   for (std::size_t k = 0; k < links.size(); ++k) {
     add_outline(wires, link_part(k, links.size() - 1), links[k].color, links[k].points,
                 [&](const Eigen::Vector3d& p) { return carried(frames[k], p); });
   }
   const Counts tool = positions[static_cast<std::size_t>(model.tool_index())];
-  for (const ToolPart& part : model.robot().tool.parts) {
+  for (const ToolPart& part : robot.tool.parts) {
     const Transform pose = frames.back() * jaw_shift(model, part, tool);
     add_outline(wires, finger_part(part.side), part.color, part.points,
                 [&](const Eigen::Vector3d& p) { return carried(pose, p); });

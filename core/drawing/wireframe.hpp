@@ -3,13 +3,14 @@
 // does not use it.
 //
 // The flow through the folder: wireframe() takes a model and a state and returns polylines in the
-// base frame, in mm: the outlines of robot and tool at the current positions, the blocks at their
-// current poses (core/grasp.hpp), and the path of the tip. view.hpp makes a picture plane from a
-// view vector and projects points onto it; projected() does so for wires. view_extents() says which
-// rectangle of that plane the paper shows, which needs behind_mm(). palette.hpp has the sixteen
-// colours to which the wires' indices refer, for a dark and for a light background. status_line.hpp
-// writes the line of text below the picture. The callers are the monitor's channel `display`
-// (protocol/monitor/display.hpp) and the pictures of tools/drawing; neither changes the state.
+// base frame, in mm: the outlines of robot and tool at the current positions (stick_figure.hpp
+// makes those of a robot whose file has none), the blocks at their current poses (core/grasp.hpp),
+// and the path of the tip. view.hpp makes a picture plane from a view vector and projects points
+// onto it; projected() does so for wires. view_extents() says which rectangle of that plane the
+// paper shows, which needs behind_mm(). palette.hpp has the sixteen colours to which the wires'
+// indices refer, for a dark and for a light background. status_line.hpp writes the line of text
+// below the picture. The callers are the monitor's channel `display` (protocol/monitor/display.hpp)
+// and the pictures of tools/drawing; neither changes the state.
 #pragma once
 
 #include <Eigen/Core>

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/coupling.hpp"
+#include "core/drawing/stick_figure.hpp"
 #include "core/grasp.hpp"
 #include "protocol/files/robot.hpp"
 #include "protocol/files/workcell.hpp"
@@ -23,7 +24,8 @@ Json model_json(const Model& model, const State& state, int rev, std::string_vie
   Json::object_t members;
   members.reserve(4);  // an object that grows copies its members
   members["rev"] = rev;
-  members["robot"] = robot_to_json(model.robot());
+  const std::optional<Robot> figure = stick_figure(model.robot());
+  members["robot"] = robot_to_json(figure ? *figure : model.robot());
   members["workcell"] = workcell_to_json(workcell_now(model, state));
   members["hash"] = hash;
   return members;

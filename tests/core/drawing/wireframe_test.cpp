@@ -75,7 +75,7 @@ TEST(Wireframe, AMoveStartsANewPolyline) {
 
 TEST(Wireframe, ParallelJawsShiftByHalfTheOpening) {
   Robot robot = two_links();
-  robot.links.clear();
+  robot.links.assign(3, {});
   const std::vector<OutlinePoint> mark{{false, {0, 0, 0}}, {true, {0, 0, -4}}};
   robot.tool.parts = {{1, 11, {0, 0, 0}, mark}, {-1, 12, {0, 0, 0}, mark}};
   const ModelPtr model = test::model_of(robot);
@@ -87,7 +87,7 @@ TEST(Wireframe, ParallelJawsShiftByHalfTheOpening) {
 
 TEST(Wireframe, AngularJawsTurnAboutTheirPivots) {
   Robot robot = two_links();
-  robot.links.clear();
+  robot.links.assign(3, {});
   robot.tool.kind = ToolKind::kAngular;
   robot.tool.finger_length_mm = 8;
   const PointMm pivot{0, 0, -8};
@@ -243,7 +243,7 @@ TEST(Wireframe, BehindIsTheRearmostPointOfTheOutlineAtHome) {
   Robot robot = two_links();
   robot.links[2].points = {{false, {-25, 0, 0}}, {true, {4, 0, 0}}};  // frame 2 is at x = 10
   EXPECT_NEAR(behind_mm(*test::model_of(robot)), 15, kTinyMm);
-  robot.links.clear();
+  robot.links.assign(3, {});
   EXPECT_EQ(behind_mm(*test::model_of(robot)), 0);
 }
 

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "core/drawing/stick_figure.hpp"
 #include "core/grasp.hpp"
 #include "core/home.hpp"
 #include "protocol/files/robot.hpp"
@@ -41,6 +42,14 @@ TEST(ModelJson, HasTheseMembers) {
   EXPECT_EQ(json["hash"], "sha256:9f2c");
   EXPECT_EQ(load_robot(json["robot"].dump(), "kept"), rig.model().robot());
   EXPECT_EQ(reloaded(rig), rig.model().workcell());
+}
+
+TEST(ModelJson, ARobotWithoutOutlinesHasThoseOfItsStickFigure) {
+  Robot robot = test::robot_named("rhino-xr3");
+  robot.links.clear();
+  const Rig rig(test::model_of(robot));
+  const Json json = model_json(rig.model(), rig.state(), 1, "");
+  EXPECT_EQ(load_robot(json["robot"].dump(), "drawn"), stick_figure(robot));
 }
 
 TEST(ModelJson, HasCurrentPlacesOfBlocksToTheMicrometre) {

@@ -10,7 +10,7 @@ export function cornersIn(object) {
   const all = [];
   object.updateWorldMatrix(true, true);
   object.traverse(({ geometry, matrixWorld }) => {
-    if (!geometry) return;
+    if (!geometry?.attributes.position.count) return;
     geometry.computeBoundingBox();
     all.push(...cornersOf(geometry.boundingBox).map((corner) => corner.applyMatrix4(matrixWorld)));
   });

@@ -39,13 +39,12 @@ export class RobotBody {
     this.links.at(-1).add(...this.fingers, this.frameAxes, this.tipMark);
   }
 
-  // A robot's file may have no outlines: then its links are empty.
   #link(k, edge) {
-    const outline = this.robot.links[k];
+    const { points, color } = this.robot.links[k];
     const group = new THREE.Group();
     group.name = `link${k}`;
     group.matrixAutoUpdate = false;
-    if (outline) group.add(solidOf(outline.points, this.unit, outline.color, edge, this.robot.links.length - k));
+    group.add(solidOf(points, this.unit, color, edge, this.robot.links.length - k));
     return group;
   }
 
