@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "cli/commands/commands.hpp"
+#include "core/inverse/empty_table.hpp"
 #include "protocol/files/paper_form/paper_form.hpp"
 #include "server/files/atomic_write.hpp"
 #include "server/files/data_files.hpp"
@@ -149,7 +150,9 @@ DialogueStart start_of(const WorkcellOptions& options) {
   std::error_code error;
   if (!options.from.empty()) {
     start.from = options.from;
-    start.workcell = workcell_in(find_data_file(options.from, "workcells"));
+    start.workcell = options.from == kNoWorkcell
+                         ? empty_table(Reach(start.robot))
+                         : workcell_in(find_data_file(options.from, "workcells"));
   } else if (std::filesystem::exists(options.file, error)) {
     start.from = options.file;
     start.workcell = workcell_in(read_file(options.file));

@@ -88,7 +88,8 @@ void add_term(CLI::App& app, TermOptions& options) {
   add_value(term, "--robot", options.robot, "NAME|FILE",
             "the robot of the line, for the names of its switches and its camera");
   add_value(term, "--workcell", options.workcell, "NAME|FILE",
-            "its workcell, for its camera (default: the one named after the robot)");
+            "its workcell, for its camera, or none (default: the one named after the robot, or "
+            "none)");
   add_profile(term, options.profile);
   add_value(term, "--timeout", options.timeout_s, "SECONDS",
             "how long to wait for a reply, in seconds")

@@ -9,21 +9,9 @@ namespace {
 constexpr double kQuarterTurnDeg = 90;
 constexpr int kQuarterTurns = 4;
 constexpr double kStepMm = 10;
+constexpr double kMaxSteps = 400;
 constexpr std::size_t kFewJoints = 3;
 constexpr int kSlideSteps = 20;
-
-/// An upper bound of the reach: each joint adds at most the length of its row, slide included.
-double sum_of_lengths(const Robot& robot) {
-  double sum = 0;
-  for (const Joint& joint : robot.joints) {
-    const bool slides = joint.variable == JointVariable::kD;
-    const double d = slides ? std::max(std::abs(joint.drive.min), std::abs(joint.drive.max))
-                            : std::abs(joint.dh.d_mm);
-    sum += std::hypot(d, joint.dh.a_mm);
-  }
-  if (robot.mount) sum += std::hypot(robot.mount->d_mm, robot.mount->a_mm);
-  return sum;
-}
 
 /// The places of the slide to be tried: the soft home, then equal steps over its range.
 std::vector<InverseOptions> places_of_slide(const Robot& robot) {
@@ -65,9 +53,24 @@ bool Reach::is_within(double x_mm, double y_mm, double z_mm, double yaw_deg) con
   return false;
 }
 
+// Each joint adds at most the length of its row, slide included.
+double Reach::most_mm() const {
+  const Robot& robot = model_.robot();
+  double sum = 0;
+  for (const Joint& joint : robot.joints) {
+    const double d = joint.is_revolute()
+                         ? std::abs(joint.dh.d_mm)
+                         : std::max(std::abs(joint.drive.min), std::abs(joint.drive.max));
+    sum += std::hypot(d, joint.dh.a_mm);
+  }
+  if (robot.mount) sum += std::hypot(robot.mount->d_mm, robot.mount->a_mm);
+  return sum;
+}
+
 std::optional<double> Reach::furthest_mm(double z_mm) const {
-  const double most = sum_of_lengths(model_.robot());
-  for (double x = std::ceil(most / kStepMm) * kStepMm; x > 0; x -= kStepMm) {
+  const double most = most_mm();
+  const double step = std::max(kStepMm, most / kMaxSteps);
+  for (double x = std::ceil(most / step) * step; x > 0; x -= step) {
     if (is_within(x, 0, z_mm)) return x;
   }
   return std::nullopt;

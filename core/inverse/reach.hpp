@@ -27,8 +27,11 @@ class Reach {
   /// Whether the inverse kinematics has a closed form. If not, each call takes long.
   bool is_quick() const { return is_quick_; }
 
-  /// The maximum x within reach at y = 0 and this height, in steps of 10 mm; nullopt if there is
-  /// none. Call it only if is_quick().
+  /// An upper bound of the tip's distance from the base frame's origin, in mm.
+  double most_mm() const;
+
+  /// The maximum x within reach at y = 0 and this height, in steps of 10 mm, or of a 400th of
+  /// most_mm() if that is more; nullopt if there is none. Call it only if is_quick().
   std::optional<double> furthest_mm(double z_mm) const;
 
  private:

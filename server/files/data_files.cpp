@@ -107,6 +107,7 @@ bool has_data_file(const std::string& name, const std::string& kind) {
 
 std::vector<std::string> names_of_data_files(const std::string& kind) {
   std::vector<std::string> names;
+  if (kind == "workcells") names.emplace_back(kNoWorkcell);
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(data_folder() / kind, error))
     names.push_back(entry.path().stem());

@@ -41,8 +41,11 @@ DataFile find_data_file(const std::string& what, const std::string& kind);
 /// Whether the data folder contains this file.
 bool has_data_file(const std::string& name, const std::string& kind);
 
-/// The names of the files in folder `kind` of the data folder, sorted. Throws FileError if there is
-/// no data folder.
+/// The name of no file: the workcell of a robot that has none, an empty table.
+inline constexpr const char* kNoWorkcell = "none";
+
+/// The names of the files in folder `kind` of the data folder, and kNoWorkcell among those of
+/// workcells, sorted. Throws FileError if there is no data folder.
 std::vector<std::string> names_of_data_files(const std::string& kind);
 
 /// The file that makes a folder an exercise.

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "core/inverse/empty_table.hpp"
 #include "protocol/files/paper_form/paper_form.hpp"
 #include "server/files/data_files.hpp"
 
@@ -12,9 +13,13 @@ namespace {
 std::string workcell_name(const ModelFiles& files) {
   if (!files.workcell.empty()) return files.workcell;
   std::string name = std::filesystem::path(files.robot).stem();
-  if (has_data_file(name, "workcells")) return name;
-  throw FileError("there is no workcell named after the robot " + name +
-                  "; name one with --workcell");
+  return has_data_file(name, "workcells") ? name : kNoWorkcell;
+}
+
+Workcell workcell_for(const Robot& robot, const std::string& name) {
+  if (name == kNoWorkcell) return empty_table(Reach(robot));
+  const DataFile file = find_data_file(name, "workcells");
+  return load_workcell_of_either_form(file.text, file.path);
 }
 
 }  // namespace
@@ -23,10 +28,9 @@ ModelPtr load_model(const ModelFiles& files) {
   const DataFile robot_file = with_option_source(
       files.option_sources, "--robot", [&] { return find_data_file(files.robot, "robots"); });
   const Robot robot = load_robot_of_either_form(robot_file.text, robot_file.path);
-  const DataFile workcell_file = with_option_source(files.option_sources, "--workcell", [&] {
-    return find_data_file(workcell_name(files), "workcells");
+  const Workcell workcell = with_option_source(files.option_sources, "--workcell", [&] {
+    return workcell_for(robot, workcell_name(files));
   });
-  const Workcell workcell = load_workcell_of_either_form(workcell_file.text, workcell_file.path);
   return std::make_shared<const Model>(robot, workcell, files.profile);
 }
 

@@ -11,12 +11,13 @@ namespace xr3 {
 
 struct ModelFiles {
   std::string robot;     ///< name or path
-  std::string workcell;  ///< name or path; empty for the one with the robot's name
+  std::string workcell;  ///< name or path; empty for the one with the robot's name, or kNoWorkcell
   Profile profile = Profile::kPaper;
   OptionSources option_sources = {};  ///< sources of the names of the files, for messages
 };
 
-/// Loads robot and workcell, each in either form. Throws FileError and DataError.
+/// Loads robot and workcell, each in either form. kNoWorkcell is an empty table for the robot, and
+/// the default if no workcell has the robot's name. Throws FileError and DataError.
 ModelPtr load_model(const ModelFiles& files);
 
 /// The robot with the name of a workcell file, if there is one: blocks are checked against it.

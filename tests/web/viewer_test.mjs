@@ -33,15 +33,23 @@ for (const robot of kRobots) {
     }));
 }
 
-test("a robot without outlines has its joints, jog buttons, wire and tip", async () => {
+/** In a page: for each link whether something of it is drawn, and the number of jaws. */
+const drawnParts = () => {
+  const { links, fingers } = window.xr3.scene.robot;
+  const isDrawn = ({ children: [solid] }) => Number(solid.children.some(({ geometry }) => geometry.attributes.position.count > 0));
+  return { links: links.map(isDrawn), jaws: fingers.length };
+};
+
+test("a robot without outlines and workcell is a stick figure with joints, jog buttons, wire and tip, and has no camera", async () => {
   const file = join(tmpdir(), `xr3-bare-robot-${process.pid}.json`);
   const text = (await readFile(`${root}data/robots/rhino-xr3.json`, "utf8")).replace(/^\*.*$/gm, "");
   const robot = JSON.parse(text);
   delete robot.links;
   delete robot.tool.parts;
+  robot.joints.at(-1).d = 0; // the last link has no lines
   await writeFile(file, JSON.stringify(robot));
   try {
-    await withPage(["--robot", file, "--workcell", "rhino-xr3", "--clock", "real:20"], async (page, server) => {
+    await withPage(["--robot", file, "--clock", "real:20"], async (page, server) => {
       await page.click("#tab-console");
       await page.click("#jog [aria-label='base (F) up']");
       await page.waitForSelector("tr[data-label=F] .count:has-text('5')");
@@ -49,6 +57,9 @@ test("a robot without outlines has its joints, jog buttons, wire and tip", async
       await server.rest();
       const { tool } = await server.state();
       await page.waitForFunction((xyz) => window.xr3.tipDrawn().every((v, i) => Math.abs(v - xyz[i]) < 0.01), tool.xyz_mm);
+      assert.deepEqual(await page.evaluate(drawnParts), { links: [1, 1, 1, 1, 1, 0], jaws: 2 });
+      assert.ok((await page.evaluate(() => window.xr3.scene.eye.camera.position.toArray())).every(Number.isFinite));
+      assert.equal(await page.textContent("#camera-caption"), "This robot has no camera.");
     });
   } finally {
     await rm(file);
@@ -127,7 +138,7 @@ test("a block dragged in the plan moves on the server and in the scene", () =>
     await page.mouse.up();
     await page.waitForFunction(() => window.xr3.known.state.blocks.find((b) => b.name === "green").xyz_mm[0] !== 330);
     const block = (await server.state()).blocks.find((each) => each.name === "green");
-    assert.ok(block.xyz_mm[0] > 330 && block.xyz_mm[1] < 96, String(block.xyz_mm));
+    assert.ok(block.xyz_mm[0] > 330 && block.xyz_mm[1] > 96, String(block.xyz_mm));
     await page.waitForFunction((xyz) => window.xr3.blockDrawn("green").every((v, i) => Math.abs(v - xyz[i]) < 0.01), block.xyz_mm);
     await page.click("#turn-left");
     await page.waitForFunction((yaw) => window.xr3.known.state.blocks.find((b) => b.name === "green").yaw_deg === yaw, block.yaw_deg + 5);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "core/inverse/empty_table.hpp"
 #include "protocol/files/consistency.hpp"
 #include "protocol/files/workcell.hpp"
 #include "protocol/text/table.hpp"
@@ -45,8 +46,6 @@ std::string subject(const Workcell& workcell, const Finding& finding) {
   const std::size_t index = std::stoul(finding.pointer.substr(std::string(kBlocks).size()));
   return "\"" + workcell.blocks[index].name + "\": ";
 }
-
-double round_up(double number, double step) { return std::ceil(number / step) * step; }
 
 Micrometres half_diagonal(const Block& block) {
   return static_cast<Micrometres>(
@@ -151,22 +150,8 @@ Micrometres resting_z(const Workcell& workcell, std::size_t index, Block block) 
 }
 
 Workcell proposed_workcell(const Arm& arm) {
-  constexpr double kHeightMm = 20;  // about the centre of a block
-  constexpr double kStepMm = 100;
-  constexpr double kHighestMm = 2000;
-  double surface = 0;
-  std::optional<double> furthest;
-  while (arm.reach.is_quick() && !furthest && surface < kHighestMm) {
-    furthest = arm.reach.furthest_mm(surface + kHeightMm);
-    if (!furthest) surface += kStepMm / 2;
-  }
-  if (!furthest) surface = 0;
-  const double x = round_up(furthest.value_or(4 * kStepMm) + kStepMm, kStepMm);
-  Workcell workcell;
+  Workcell workcell = empty_table(arm.reach);
   workcell.name = "my workcell";
-  workcell.workspace = {micrometres(x), micrometres(x - kStepMm),
-                        micrometres(surface + x + kStepMm)};
-  workcell.work_surface_um = micrometres(surface);
   return workcell;
 }
 

@@ -44,7 +44,7 @@ export class CameraPanel {
 
   #updateCaption() {
     const { image } = this;
-    const none = this.model && !this.model.workcell.camera ? "This workcell has no camera." : "No image yet.";
+    const none = this.model && !this.model.workcell.camera ? "This robot has no camera." : "No image yet.";
     this.caption.textContent = image ? `${image.width} × ${image.height} pixels, ${this.#count(image)} lit` : none;
   }
 
