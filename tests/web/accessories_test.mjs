@@ -34,8 +34,8 @@ test("slide and carousel move in the 3-D view, with arm, region and blocks", () 
     assert.ok(Math.abs(drawn.turn - Math.PI / 6) < 1e-6, `${drawn.turn} rad`);
     assert.deepEqual([drawn.table, drawn.rail, drawn.parts], [[330, 330], 0, 3]);
     assert.ok(Math.abs(drawn.region[1] - 50) < 1e-6 && Math.abs(drawn.carriage - 50) < 1e-6, JSON.stringify(drawn));
-    assert.equal(await page.getAttribute("#plan .region", "cy"), "0");
-    assert.ok(Math.abs(Number(await page.getAttribute("#plan .region", "cx")) + 50) < 1e-6);
+    assert.equal(await page.getAttribute("#plan .region", "cx"), "0");
+    assert.ok(Math.abs(Number(await page.getAttribute("#plan .region", "cy")) + 50) < 1e-6);
     assert.equal(await page.getAttribute("#plan .table", "r"), "120");
   }));
 

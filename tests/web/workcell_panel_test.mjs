@@ -31,7 +31,7 @@ const shows = (page, name, [x, y]) => page.waitForFunction(([each, at]) => {
   const shape = document.querySelector(`[data-block=${each}]`).getAttribute("transform");
   const row = [...document.querySelectorAll("#blocks tr")].find((tr) => tr.querySelector(".name").textContent === each);
   const cells = [...row.querySelectorAll("td")].map((td) => Number(td.textContent));
-  return shape.startsWith(`translate(${-at[1]} ${-at[0]})`) && cells[0] === at[0] && cells[1] === at[1];
+  return shape.startsWith(`translate(${at[0]} ${-at[1]})`) && cells[0] === at[0] && cells[1] === at[1];
 }, [name, [x, y]]);
 
 /** Adds a block between the jaws and closes the gripper on it. */
@@ -86,7 +86,7 @@ test("a cancelled drag puts the block back, and the plan follows the server agai
 test("the right mouse button drags nothing, and no block leaves the plan", () =>
   onWorkcell([], async (page, server) => {
     await drag(page, "red", [40, -20], "right");
-    await drag(page, "green", [0, -600]);
+    await drag(page, "green", [600, 0]);
     await page.waitForFunction(() => window.xr3.known.state.blocks[1].xyz_mm[0] !== 330);
     const plan = await page.locator("#plan").boundingBox();
     const [x, y] = await middle(page, "green");
@@ -100,15 +100,15 @@ test("the tip's cross does not catch the pointer", () =>
     await call(server.monitor, "block_move", { name: "red", xyz_mm: [tool.xyz_mm[0], tool.xyz_mm[1], 20] });
     await shows(page, "red", tool.xyz_mm);
     await drag(page, "red", [25, -10]);
-    await page.waitForFunction((from) => window.xr3.known.state.blocks[0].xyz_mm[1] < from, tool.xyz_mm[1] - 1);
+    await page.waitForFunction((from) => window.xr3.known.state.blocks[0].xyz_mm[0] > from, tool.xyz_mm[0] + 1);
   }));
 
 test("the saved file is the server's current workcell, not the page's last model", () =>
   onWorkcell(["--clock", "manual"], async (page) => {
     await page.focus("[data-block=red]");
-    await page.keyboard.press("ArrowUp");
+    await page.keyboard.press("ArrowRight");
     await page.waitForFunction(() => window.xr3.known.model.workcell.blocks[0].centroid[0] === 267);
-    await page.keyboard.press("ArrowUp"); // the model with this move arrives half a second later
+    await page.keyboard.press("ArrowRight"); // the model with this move arrives half a second later
     const [saved] = await Promise.all([page.waitForEvent("download"), page.click("#workcell-save")]);
     const workcell = JSON.parse(await readFile(await saved.path(), "utf8"));
     assert.equal(workcell.blocks.find((block) => block.name === "red").centroid[0], 272);
@@ -128,7 +128,7 @@ test("a row selects a block, the form moves it, and the new place is announced",
     assert.equal((await blockOf(server, "blue")).yaw_deg, -30);
     assert.match(await page.getAttribute("[data-block=blue]", "aria-label"), /^block blue, x 300\.5, y -92, z 15 mm, yaw -30°$/);
     await page.focus("[data-block=blue]");
-    await page.keyboard.press("ArrowLeft");
+    await page.keyboard.press("ArrowUp");
     await page.waitForSelector("#workcell-status:has-text('y -87')", { state: "attached" });
   }));
 

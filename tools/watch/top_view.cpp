@@ -13,7 +13,7 @@ namespace xr3 {
 namespace {
 
 constexpr int kMaxColumns = 70;
-constexpr int kMaxRows = 20;
+constexpr int kMaxRows = 32;
 constexpr int kLegendColumns = 78;
 constexpr double kTouchMm = 1e-6;  ///< tolerance: a centre on the edge of a block is inside
 constexpr std::string_view kLetters =
@@ -38,22 +38,22 @@ double round_up(double number) {
 class Grid {
  public:
   explicit Grid(const Workspace& space)
-      : mm_(round_up(std::max(2 * mm(space.y_um) / kMaxColumns, mm(space.x_um) / kMaxRows / 2))),
-        half_(static_cast<int>(std::ceil(mm(space.y_um) / mm_ - 0.5))),
-        rows_(static_cast<int>(std::ceil(mm(space.x_um) / mm_ / 2))),
-        lines_(static_cast<std::size_t>(rows_),
-               std::string(static_cast<std::size_t>(columns()), ' ')) {}
+      : mm_(round_up(std::max(mm(space.x_um) / kMaxColumns, mm(space.y_um) / kMaxRows))),
+        half_(static_cast<int>(std::ceil(mm(space.y_um) / mm_ / 2))),
+        columns_(static_cast<int>(std::ceil(mm(space.x_um) / mm_))),
+        lines_(static_cast<std::size_t>(rows()),
+               std::string(static_cast<std::size_t>(columns_), ' ')) {}
 
-  int rows() const { return rows_; }
-  int columns() const { return 2 * half_ + 1; }
+  int rows() const { return 2 * half_; }
+  int columns() const { return columns_; }
   double mm_per_column() const { return mm_; }
-  double x_at(int row) const { return (rows_ - row - 0.5) * 2 * mm_; }
-  double y_at(int column) const { return (half_ - column) * mm_; }
-  int row_of(double x_mm) const { return rows_ - 1 - static_cast<int>(std::floor(x_mm / mm_ / 2)); }
-  int column_of(double y_mm) const { return half_ - static_cast<int>(std::lround(y_mm / mm_)); }
+  double x_at(int column) const { return (column + 0.5) * mm_; }
+  double y_at(int row) const { return (half_ - row - 0.5) * 2 * mm_; }
+  int column_of(double x_mm) const { return static_cast<int>(std::floor(x_mm / mm_)); }
+  int row_of(double y_mm) const { return half_ - 1 - static_cast<int>(std::floor(y_mm / mm_ / 2)); }
 
   bool has(int row, int column) const {
-    return row >= 0 && row < rows_ && column >= 0 && column < columns();
+    return row >= 0 && row < rows() && column >= 0 && column < columns_;
   }
   void put(int row, int column, char sign) {
     if (!has(row, column)) return;
@@ -64,28 +64,28 @@ class Grid {
 
  private:
   double mm_;
-  int half_;  ///< columns on either side of the one through the base
-  int rows_;
+  int half_;  ///< rows on either side of the base
+  int columns_;
   std::vector<std::string> lines_;
 };
 
 std::string Grid::framed(const Workspace& space) const {
-  const auto width = static_cast<std::size_t>(columns());
-  const auto half = static_cast<std::size_t>(half_);
-  const std::string edge(half, '-');
-  std::string text = " x = " + plain_number(mm(space.x_um)) + " mm\n+" + edge + "-" + edge + "+\n";
-  for (const std::string& line : lines_) text += "|" + line + "|\n";
-  text += "+" + edge + "R" + edge + "+\n";
-  const std::string left = " y = " + plain_number(mm(space.y_um));
-  const std::string right = "-" + plain_number(mm(space.y_um));
+  const auto width = static_cast<std::size_t>(columns_);
+  const std::string edge = "+" + std::string(width, '-') + "+\n";
+  std::string text = " y = " + plain_number(mm(space.y_um)) + " mm\n" + edge;
+  for (int row = 0; row < rows(); ++row) {
+    text += (row == row_of(0) ? "R" : "|") + lines_[static_cast<std::size_t>(row)] + "|\n";
+  }
+  const std::string left = " y = -" + plain_number(mm(space.y_um));
+  const std::string right = "x = " + plain_number(mm(space.x_um));
   const std::size_t used = left.size() + right.size();
-  return text + left + std::string(width > used ? width + 1 - used : 1, ' ') + right + "\n";
+  return text + edge + left + std::string(width > used ? width + 1 - used : 1, ' ') + right + "\n";
 }
 
 void draw_reach(Grid& picture, const ReachAbove& reaches) {
   for (int row = 0; row < picture.rows(); ++row) {
     for (int column = 0; column < picture.columns(); ++column) {
-      if (reaches(picture.x_at(row), picture.y_at(column))) picture.put(row, column, '.');
+      if (reaches(picture.x_at(column), picture.y_at(row))) picture.put(row, column, '.');
     }
   }
 }
@@ -93,10 +93,10 @@ void draw_reach(Grid& picture, const ReachAbove& reaches) {
 void draw_camera(Grid& picture, const Camera& camera) {
   const double x = mm(camera.location_um.x);
   const double y = mm(camera.location_um.y);
-  const int top = std::max(picture.row_of(x + mm(camera.field_x_um) / 2), -1);
-  const int bottom = std::min(picture.row_of(x - mm(camera.field_x_um) / 2), picture.rows());
-  const int left = std::max(picture.column_of(y + mm(camera.field_y_um) / 2), -1);
-  const int right = std::min(picture.column_of(y - mm(camera.field_y_um) / 2), picture.columns());
+  const int top = std::max(picture.row_of(y + mm(camera.field_y_um) / 2), -1);
+  const int bottom = std::min(picture.row_of(y - mm(camera.field_y_um) / 2), picture.rows());
+  const int left = std::max(picture.column_of(x - mm(camera.field_x_um) / 2), -1);
+  const int right = std::min(picture.column_of(x + mm(camera.field_x_um) / 2), picture.columns());
   for (int row = top; row <= bottom; ++row) {
     picture.put(row, left, ':');
     picture.put(row, right, ':');
@@ -115,20 +115,20 @@ void draw_block(Grid& picture, const Block& block, char letter) {
   const double along = mm(block.size_um.x) / 2;
   const double across = mm(block.size_um.y) / 2;
   const double around = std::hypot(along, across);
-  const int first_row = std::max(picture.row_of(x + around), 0);
-  const int last_row = std::min(picture.row_of(x - around), picture.rows() - 1);
-  const int first_column = std::max(picture.column_of(y + around), 0);
-  const int last_column = std::min(picture.column_of(y - around), picture.columns() - 1);
+  const int first_row = std::max(picture.row_of(y + around), 0);
+  const int last_row = std::min(picture.row_of(y - around), picture.rows() - 1);
+  const int first_column = std::max(picture.column_of(x - around), 0);
+  const int last_column = std::min(picture.column_of(x + around), picture.columns() - 1);
   for (int row = first_row; row <= last_row; ++row) {
     for (int column = first_column; column <= last_column; ++column) {
-      const double dx = picture.x_at(row) - x;
-      const double dy = picture.y_at(column) - y;
+      const double dx = picture.x_at(column) - x;
+      const double dy = picture.y_at(row) - y;
       const bool is_in = std::abs(dx * std::cos(yaw) + dy * std::sin(yaw)) <= along + kTouchMm &&
                          std::abs(dy * std::cos(yaw) - dx * std::sin(yaw)) <= across + kTouchMm;
       if (is_in) picture.put(row, column, letter);
     }
   }
-  picture.put(picture.row_of(x), picture.column_of(y), letter);
+  picture.put(picture.row_of(y), picture.column_of(x), letter);
 }
 
 /// Draws the blocks in the order of their tops, so that the upper of stacked blocks is visible.

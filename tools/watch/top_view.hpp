@@ -1,5 +1,5 @@
-// The workspace from above in characters, for a terminal: the robot's base at the bottom, x upwards
-// and y to the left, the view from behind the robot.
+// The workspace from above in characters, for a terminal: x to the right and y upwards, as in the
+// camera's picture, with the robot's base at the left edge.
 #pragma once
 
 #include <functional>
@@ -13,7 +13,7 @@ namespace xr3 {
 /// Whether the robot reaches a point of the work surface; x and y in mm. Empty if not known.
 using ReachAbove = std::function<bool(double x_mm, double y_mm)>;
 
-/// The picture as lines that end with line feeds: at most 80 columns and 24 lines, and a legend
+/// The picture as lines that end with line feeds: at most 80 columns and 36 lines, and a legend
 /// with the blocks' letters. Reachable points are dots; colons are the edge of the camera's field.
 std::string top_view(const Workcell& workcell, const ReachAbove& reaches);
 

@@ -23,30 +23,42 @@ Block block(const std::string& name, PointUm size, PointUm centroid, int yaw_deg
   return {name, size, centroid, yaw_deg * Microdegrees{1'000'000}, 9};
 }
 
-TEST(TopView, BlocksAreDrawnAsSeenFromBehindTheRobot) {
+TEST(TopView, XPointsToTheRightAndYUpAsInTheCamerasPicture) {
   Workcell cell = small_cell();
   cell.blocks = {block("left", {12'000, 30'000, 10'000}, {70'000, 60'000, 5'000}, 0),
                  block("front", {12'000, 30'000, 10'000}, {40'000, 0, 5'000}, 90)};
   EXPECT_EQ(top_view(cell, {}),
-            " x = 80 mm\n"
-            "+-------------------------------------------------------------------+\n"
-            "|                                                                   |\n"
-            "|        lllllllllll                                                |\n"
-            "|        lllllllllll                                                |\n"
-            "|                                                                   |\n"
-            "|                                                                   |\n"
-            "|                               fffff                               |\n"
-            "|                               fffff                               |\n"
-            "|                               fffff                               |\n"
-            "|                               fffff                               |\n"
-            "|                               fffff                               |\n"
-            "|                                                                   |\n"
-            "|                                                                   |\n"
-            "|                                                                   |\n"
-            "|                                                                   |\n"
-            "+---------------------------------R---------------------------------+\n"
-            " y = 100                                                        -100\n"
-            " R robot   a character is 3 x 6 mm\n"
+            " y = 100 mm\n"
+            "+--------------------+\n"
+            "|                    |\n"
+            "|                    |\n"
+            "|                    |\n"
+            "|                    |\n"
+            "|                lll |\n"
+            "|                lll |\n"
+            "|                lll |\n"
+            "|                    |\n"
+            "|                    |\n"
+            "|                    |\n"
+            "|                    |\n"
+            "|                    |\n"
+            "R      ffffffff      |\n"
+            "|      ffffffff      |\n"
+            "|                    |\n"
+            "|                    |\n"
+            "|                    |\n"
+            "|                    |\n"
+            "|                    |\n"
+            "|                    |\n"
+            "|                    |\n"
+            "|                    |\n"
+            "|                    |\n"
+            "|                    |\n"
+            "|                    |\n"
+            "|                    |\n"
+            "+--------------------+\n"
+            " y = -100      x = 80\n"
+            " R robot   a character is 4 x 8 mm\n"
             " l left, f front\n");
 }
 
@@ -55,7 +67,7 @@ TEST(TopView, TheUpperOfTwoBlocksIsVisible) {
   cell.blocks = {block("upper", {10'000, 10'000, 10'000}, {40'000, 0, 15'000}, 0),
                  block("lower", {30'000, 30'000, 10'000}, {40'000, 0, 5'000}, 0)};
   const std::string view = top_view(cell, {});
-  EXPECT_NE(view.find("lluuull"), std::string::npos) << view;
+  EXPECT_NE(view.find("llluulll"), std::string::npos) << view;
 }
 
 TEST(TopView, ReachIsDottedAndTheCamerasEdgeIsDrawn) {
@@ -63,12 +75,12 @@ TEST(TopView, ReachIsDottedAndTheCamerasEdgeIsDrawn) {
   cell.camera = Camera{{40'000, 0, 90'000}, 30'000, 60'000, 10, 10, Projection::kOrthographic};
   const std::string view =
       top_view(cell, [](double x_mm, double y_mm) { return x_mm < 10 && y_mm > 0; });
-  EXPECT_NE(view.find("|.................................                                  |\n"
-                      "+---"),
+  EXPECT_NE(view.find("|..    ::::::::      |\n"
+                      "|..    :      :      |\n"),
             std::string::npos)
       << view;
-  EXPECT_NE(view.find("|                       :::::::::::::::::::::                       |\n"
-                      "|                       :                   :                       |\n"),
+  EXPECT_NE(view.find("R..    :      :      |\n"
+                      "|      :      :      |\n"),
             std::string::npos)
       << view;
 }
@@ -91,7 +103,7 @@ TEST(TopView, FitsATerminal) {
     Workcell cell = test::workcell_named("rhino-hundred");
     cell.workspace = space;
     const std::string view = top_view(cell, {});
-    EXPECT_LE(std::count(view.begin(), view.end(), '\n'), 34);
+    EXPECT_LE(std::count(view.begin(), view.end(), '\n'), 46);
     for (std::size_t begin = 0; begin < view.size(); begin = view.find('\n', begin) + 1) {
       EXPECT_LE(view.find('\n', begin) - begin, 80U) << view;
     }

@@ -1,13 +1,13 @@
-// The plan of the workcell, seen from above: x points up and y to the left, as seen from behind the
-// robot. Blocks are selected, dragged and moved by keys. Changes are requested through `acts`,
-// never made here.
+// The plan of the workcell, seen from above: x to the right and y up, as in the camera's picture.
+// Blocks are selected, dragged and moved by keys. Changes are requested through `acts`, never made
+// here.
 import { colorOf } from "../lib/palette.js";
 
 const kMargin = 20; // mm around the workspace
 const kMoveStep = 5; // mm for a key
 const kTurnStep = 5; // degrees for a key
 const kTouchPx = 24; // minimum size of a touch target
-const kArrows = { ArrowUp: [1, 0], ArrowDown: [-1, 0], ArrowLeft: [0, 1], ArrowRight: [0, -1] };
+const kArrows = { ArrowUp: [0, 1], ArrowDown: [0, -1], ArrowLeft: [-1, 0], ArrowRight: [1, 0] };
 const kTurns = { "[": 1, "]": -1 };
 
 const svg = (name, members, ...children) => {
@@ -46,29 +46,30 @@ export class Plan {
    */
   setGround({ workspace, camera, region, table }) {
     const { x, y } = workspace;
-    this.area = { left: -y - kMargin, top: -x - kMargin, width: 2 * (y + kMargin), height: x + region + 3 * kMargin };
+    const behind = region + 2 * kMargin;
+    this.area = { left: -behind, top: -y - kMargin, width: behind + x + kMargin, height: 2 * (y + kMargin) };
     const { left, top, width, height } = this.area;
     put(this.host, { viewBox: `${left} ${top} ${width} ${height}` });
     this.host.style.setProperty("--plan-shape", String(width / height));
     this.region = svg("circle", { class: "region", cx: 0, cy: 0, r: region });
-    this.ground.replaceChildren(svg("rect", { class: "space", x: -y, y: -x, width: 2 * y, height: x }), this.region,
+    this.ground.replaceChildren(svg("rect", { class: "space", x: 0, y: -y, width: x, height: 2 * y }), this.region,
       ...(table ? [this.#table(table)] : []), ...(camera ? [this.#field(camera)] : []));
     this.#sizeHalos();
   }
   #table({ center: [x, y], radius }) {
-    return svg("circle", { class: "table", cx: -y, cy: -x, r: radius });
+    return svg("circle", { class: "table", cx: x, cy: -y, r: radius });
   }
   #field({ location: [cx, cy], field: [w, h] }) {
-    return svg("rect", { class: "field", x: -cy - h / 2, y: -cx - w / 2, width: h, height: w });
+    return svg("rect", { class: "field", x: cx - w / 2, y: -cy - h / 2, width: w, height: h });
   }
 
   /** Moves the protected region with the base of the arm; [x, y] in mm. */
   setBase([x, y]) {
-    put(this.region, { cx: -y, cy: -x });
+    put(this.region, { cx: x, cy: -y });
   }
 
   setTip([x, y]) {
-    put(this.tip, { d: `M${-y - 8} ${-x}h16M${-y} ${-x - 8}v16` });
+    put(this.tip, { d: `M${x - 8} ${-y}h16M${x} ${-y - 8}v16` });
   }
 
   /** Blocks with name, xyz_mm, yaw_deg, held, size_mm, color and text. */
@@ -88,8 +89,8 @@ export class Plan {
     const shape = this.shapes.get(block.name) ?? this.#newShape(block.name);
     const [x, y] = this.dragged?.name === block.name ? this.dragged.at : block.xyz_mm;
     const [l, w] = block.size_mm;
-    put(shape, { transform: `translate(${-y} ${-x}) rotate(${-block.yaw_deg})`, "aria-label": `block ${block.text}` });
-    put(shape.lastChild, { x: -w / 2, y: -l / 2, width: w, height: l, fill: colorOf(block.color) });
+    put(shape, { transform: `translate(${x} ${-y}) rotate(${-block.yaw_deg})`, "aria-label": `block ${block.text}` });
+    put(shape.lastChild, { x: -l / 2, y: -w / 2, width: l, height: w, fill: colorOf(block.color) });
     shape.classList.toggle("held", block.held);
     this.#sizeHalo(shape, l, w);
   }
@@ -120,7 +121,7 @@ export class Plan {
   }
   #sizeHalo(shape, length, width) {
     const least = kTouchPx / (this.host.getScreenCTM()?.a || 1);
-    const [h, w] = [Math.max(length, least), Math.max(width, least)];
+    const [w, h] = [Math.max(length, least), Math.max(width, least)];
     put(shape.firstChild, { x: -w / 2, y: -h / 2, width: w, height: h });
   }
 
@@ -135,14 +136,14 @@ export class Plan {
 
   #toWorld(event) {
     const point = new DOMPoint(event.clientX, event.clientY).matrixTransform(this.host.getScreenCTM().inverse());
-    return [-point.y, -point.x];
+    return [point.x, -point.y];
   }
 
   /** The position clamped to the visible area. */
   #within([x, y, z]) {
     const { left, top, width, height } = this.area;
     const edge = kMargin / 2;
-    return [-clamp(-x, top + edge, top + height - edge), -clamp(-y, left + edge, left + width - edge), z];
+    return [clamp(x, left + edge, left + width - edge), -clamp(-y, top + edge, top + height - edge), z];
   }
 
   #grab(event) {

@@ -8,7 +8,7 @@ import { standBack } from "./frame_camera.js";
 const kFieldDegrees = 26;
 const kFill = 0.92; // of the picture's width or height, whichever is the tighter
 const kAway = {
-  corner: [1.25, -1.1, 0.75], front: [1, 0, 0.12], left: [0, 1, 0.12], right: [0, -1, 0.12], top: [0.001, 0, 1],
+  corner: [1.25, -1.1, 0.75], front: [1, 0, 0.12], left: [0, 1, 0.12], right: [0, -1, 0.12], top: [0, -0.001, 1],
 };
 
 export class Eye {
