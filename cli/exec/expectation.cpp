@@ -32,9 +32,9 @@ bool Expectation::is_as_stated(const RunReport& report) const {
 Expectation stated_expectation(const std::filesystem::path& program) {
   const std::string text = read_file(program).text;
   const std::string line = text.substr(0, text.find_first_of("\r\n"));
-  static const std::regex kForm(R"(.*\bexpects: (\w+)(?:: (.*\S))?\s*)");
+  static const std::regex form(R"(.*\bexpects: (\w+)(?:: (.*\S))?\s*)");
   std::smatch match;
-  if (!std::regex_match(line, match, kForm))
+  if (!std::regex_match(line, match, form))
     throw FileError(program.string() +
                     ":1: the first line does not say what the judge must find; write a comment "
                     "such as # expects: tip: it was at, with the kind of a goal, or # expects: "

@@ -40,7 +40,7 @@ constexpr sock_filter skip_if_equal(unsigned value, unsigned char count) {
   return BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, value, count, 0);
 }
 
-std::array<sock_filter, 19> kFilter{
+std::array<sock_filter, 19> filter{
     load(offsetof(seccomp_data, arch)),
     skip_if_equal(kArchitecture, 1),
     result(refused(ENOSYS)),
@@ -66,7 +66,7 @@ std::array<sock_filter, 19> kFilter{
 
 bool restrict_system_calls() {
   ::syscall(SYS_keyctl, KEYCTL_JOIN_SESSION_KEYRING, nullptr);
-  const sock_fprog program{static_cast<unsigned short>(kFilter.size()), kFilter.data()};
+  const sock_fprog program{static_cast<unsigned short>(filter.size()), filter.data()};
   return ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
          ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;
 }

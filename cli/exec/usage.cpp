@@ -44,7 +44,8 @@ std::uint64_t memory_of(const std::string& process) {
 void add_files(const std::string& process, const std::vector<std::string>& folders,
                std::set<::dev_t>& counted, Usage& usage) {
   for (const std::string& folder : folders) {
-    const std::string path = process + "/root" + folder;
+    std::string path = process;
+    path.append("/root").append(folder);
     struct ::statfs system {};
     struct ::stat its {};
     struct ::stat of_judge {};
