@@ -56,9 +56,9 @@ void add_draw(CLI::App& app, DrawOptions& options) {
       ->check(CLI::Validator(check_picture_name, ""));
   add_value(draw, "--robot", options.robot, "NAME|FILE", "robot: a name, or a file")
       ->capture_default_str();
-  add_value(draw, "--workcell", options.workcell, "NAME|FILE",
-            "workcell: a name, a file, or none for an empty table (default: the one named after "
-            "the robot, or none)");
+  add_value(
+      draw, "--workcell", options.workcell, "NAME|FILE",
+      "workcell: a name, a file, or none: an empty table (default: the robot's name, or none)");
   add_parsed(draw, "--joints", options.joints, parse_numbers, "V1,V2,...",
              "joint variables from the base on, degrees or mm (default: soft home)");
   add_value(draw, "--tool", options.tool, "V", "tool variable, mm or degrees (default: soft home)");

@@ -133,9 +133,9 @@ void complete(CLI::App& serve, ServeOptions& options) {
 void add_machine(CLI::App& command, ServeOptions& options) {
   add_value(command, "--robot", options.robot, "NAME|FILE", "robot: a name, or a file")
       ->capture_default_str();
-  add_value(command, "--workcell", options.workcell, "NAME|FILE",
-            "workcell: a name, a file, or none for an empty table (default: the one named after "
-            "the robot, or none)");
+  add_value(
+      command, "--workcell", options.workcell, "NAME|FILE",
+      "workcell: a name, a file, or none: an empty table (default: the robot's name, or none)");
   add_value(command, "--fault", options.fault_file, "NAME|FILE",
             "faults of the robot and its lines: a name, or a file");
 }

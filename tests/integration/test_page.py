@@ -9,7 +9,7 @@ from page_tests import needs_chromium, run_page_tests
 @needs_chromium
 class Page(unittest.TestCase):
     def test_motion_console_and_jogging(self):
-        run_page_tests(self, "viewer_test.mjs", "a move sent on the robot port|jogging moves a joint", passed=2)
+        run_page_tests(self, "viewer_test.mjs", "a move sent on the robot port|a button moves the arm", passed=2)
 
 
 if __name__ == "__main__":

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { mkdtemp, writeFile } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import { after, test } from "node:test";
-import { close, ofThePage, open, ready, serve, type } from "./bench.mjs";
+import { close, ofThePage, open, openOld, ready, serve, type } from "./bench.mjs";
 
 after(close);
 
@@ -81,22 +81,22 @@ test("controls that change the server are locked, also new ones; Step stays disa
     assert.ok(await page.isEnabled("#home"));
   }));
 
-test("keys and menu explain why they are locked", () =>
+test("keys and the drawer As in 1989 explain why they are locked", () =>
   withLocked(async (page) => {
     await ready(page);
     await looksOn(page);
+    await openOld(page);
+    await page.waitForSelector("#old .read-only-note:visible");
     await page.keyboard.press("h");
     await page.waitForSelector("#message:has-text('press Unlock')");
-    await page.keyboard.press("m");
-    await page.waitForSelector("#menu .read-only-note:visible");
     assert.ok(await page.isDisabled("#functions button"));
   }));
 
-test("a locked file input is invisible and its label is dimmed", () =>
+test("a locked file input is invisible and its label is drawn as locked", () =>
   withLocked(async (page) => {
     await looksOn(page);
     await page.click("#tab-workcell");
-    const opacity = (selector) => page.evaluate((s) => getComputedStyle(document.querySelector(s)).opacity, selector);
-    assert.equal(await opacity("#workcell-load"), "0");
-    assert.ok(Number(await opacity("#workcell-panel .file")) < 1);
+    const style = (selector, name) => page.evaluate(([s, each]) => getComputedStyle(document.querySelector(s))[each], [selector, name]);
+    assert.equal(await style("#workcell-load", "opacity"), "0");
+    assert.equal(await style("#workcell-panel .file", "borderTopStyle"), "dashed");
   }));

@@ -39,12 +39,12 @@ test("slide and carousel move in the 3-D view, with arm, region and blocks", () 
     assert.equal(await page.getAttribute("#plan .table", "r"), "120");
   }));
 
-test("joint table and jog panel have slide and carousel", () =>
+test("the joints have slide and carousel", () =>
   withPage(kOptions, async (page) => {
-    const labels = await page.$$eval("#joints tr", (rows) => rows.map((row) => row.dataset.label));
+    const labels = await page.$$eval("#joints .joint", (rows) => rows.map((row) => row.dataset.label));
     assert.deepEqual(labels, [..."GFEDCBHA"]);
-    assert.equal(await page.locator("[aria-label='carousel (H) up']").count(), 1);
-    assert.equal(await page.locator("[aria-label='slide (G) down']").count(), 1);
+    assert.equal(await page.locator("input[type=range][aria-label=carousel]").count(), 1);
+    assert.equal(await page.locator("input[type=range][aria-label=slide]").count(), 1);
   }));
 
 test("a robot without accessories has no carousel", () =>

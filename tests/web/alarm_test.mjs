@@ -1,5 +1,6 @@
-// Alarms and messages stay readable and do not shift the layout.
+// The status and messages stay readable and do not shift the layout.
 import assert from "node:assert/strict";
+import { connect } from "node:net";
 import { after, test } from "node:test";
 import { close, type, withPage } from "./bench.mjs";
 
@@ -23,31 +24,50 @@ test("a message stays while the robot moves, until it is closed", () =>
     assert.ok(await page.isHidden("#message"));
   }));
 
-test("an alarm and a message are readable together, over the picture", () =>
-  withPage(["--clock", "manual"], async (page, server) => {
+test("the status and a message are readable together, over the picture", () =>
+  withPage(["--clock", "real"], async (page, server) => {
     const picture = () => page.locator("#solid canvas").boundingBox();
     const before = await picture();
+    await page.evaluate(() => window.xr3.call("pause"));
     for (let i = 0; i < 20 && !(await server.state()).stalled; ++i) {
       await type(server.robot, "E-120\r");
       await page.evaluate(() => window.xr3.call("run_until", { idle: true, max_ticks: 60000 }));
     }
-    await page.waitForSelector("#alarm:has-text('Stalled')");
+    await page.waitForSelector("#banner:has-text('The arm is stalled: the tip would enter the space around the base.')");
     await refuse(page);
     await page.waitForSelector("#message:has-text('factor')");
-    assert.match(await page.textContent("#alarm"), /^Stalled/);
-    assert.ok(await page.isVisible("#alarm"));
+    assert.ok(await page.isVisible("#banner"));
     assert.deepEqual(await picture(), before);
   }));
 
-test("a disabled simulator names the key that enables it", () =>
+test("a simulator that is switched off says so, and is switched on there", () =>
   withPage([], async (page) => {
-    await page.keyboard.press("e");
-    await page.waitForSelector("#alarm:has-text('the key e')");
+    await page.keyboard.press("Alt+F5");
+    await page.waitForSelector("#banner[data-kind=disabled]:has-text('The simulator is switched off.')");
+    await page.click("#banner-act:has-text('Switch on')");
+    await page.waitForSelector("#banner", { state: "hidden" });
   }));
 
-test("the 3-D view shows whether the graphics display is on", () =>
-  withPage([], async (page) => {
-    await page.waitForSelector("#display-state:has-text('display off')");
-    await page.keyboard.press("d");
-    await page.waitForSelector("#display-state:has-text('display on')");
+test("paused time is seen, with what waits, and goes on from there", () =>
+  withPage([], async (page, server) => {
+    await page.click("#pause");
+    await type(server.robot, "E+50\r");
+    await page.waitForSelector("#banner[data-kind=paused]:has-text('Time is paused. 50 counts of E are waiting.')");
+    await page.click("#banner-act:has-text('Continue')");
+    await page.waitForFunction(() => window.xr3.known.state.joints[1].count === 50);
+    await page.waitForSelector("#banner", { state: "hidden" });
   }));
+
+test("two programs that move one joint are a status, until one of them goes", () =>
+  withPage(["--clock", "real:0.1"], async (page, server) => {
+    const [one, other] = [0, 1].map(() => connect(server.robot, "127.0.0.1"));
+    one.write("E+100\r");
+    await page.waitForFunction(() => window.xr3.known.state.moving);
+    other.write("E-50\r");
+    await page.waitForSelector("#banner[data-kind=other]:has-text('both move the shoulder. Each undoes the other’s work.')");
+    await page.click("#banner-act:has-text('Show line')");
+    await page.waitForSelector("#wire-source:has-text('line')");
+    other.destroy();
+    await page.waitForSelector("#banner", { state: "hidden" });
+    one.destroy();
+  }, { picture: false }));

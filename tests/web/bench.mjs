@@ -92,7 +92,7 @@ export async function ready(page) {
 /** What a page that is not ready has, for the message of a failure. */
 async function situation(page) {
   const now = await page.evaluate(() => ({
-    document: document.readyState, connection: document.querySelector("#connection")?.textContent,
+    document: document.readyState, connection: document.querySelector("#status")?.textContent,
     known: Object.keys(window.xr3?.known ?? {}), tip: window.xr3?.tipDrawn() ?? null,
     files: performance.getEntriesByType("resource").map(({ name, responseStatus, responseEnd }) => [name, responseStatus, Math.round(responseEnd)]),
   }));
@@ -158,6 +158,28 @@ export async function withPage(options, act, { picture = true, ...pageOptions } 
     await server.stop("SIGKILL");
   }
 }
+
+/** Opens the drawer "As in 1989", where plain keys are functions of command mode. */
+export async function openOld(page) {
+  await page.click("#more-button");
+  await page.click("#menu-button");
+  await page.waitForSelector("#old:visible");
+}
+
+/** Opens the time bar if it is closed. */
+export async function openTimeBar(page) {
+  if (await page.isHidden("#past") && await page.isVisible("#rewind")) await page.click("#rewind");
+  else if (await page.isHidden("#past")) {
+    await page.click("#more-button");
+    await page.click("#rewind-too");
+    await page.keyboard.press("Escape");
+  }
+  await page.waitForSelector("#past:visible");
+}
+
+/** Waits until the panel of joints shows this count; it stands there whether it is unfolded or not. */
+export const showsCount = (page, label, count) => page.waitForFunction(
+  ([name, wanted]) => document.querySelector(`#joints [data-label=${name}] .count`)?.textContent === String(wanted).replace("-", "−"), [label, count]);
 
 /** The pixels of a canvas as RGBA bytes. */
 export const pixels = (page, selector) => page.evaluate((wanted) => {

@@ -1,7 +1,7 @@
-// Every function of command mode by plain key, Alt key and menu entry.
+// Every function of command mode by plain key, Alt key and entry of the drawer "As in 1989".
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
-import { close, withPage } from "./bench.mjs";
+import { close, openOld, withPage } from "./bench.mjs";
 
 after(close);
 
@@ -30,8 +30,9 @@ async function changes(page, key, act) {
   await valueOf(page, key, before);
 }
 
-test("plain keys", () =>
+test("plain keys, while the drawer is open", () =>
   withPage([], async (page) => {
+    await openOld(page);
     for (const key of Object.keys(kEntries)) await changes(page, key, () => page.keyboard.press(key));
     await page.keyboard.press("v");
     await page.waitForSelector("#ask-view[open]");
@@ -45,21 +46,21 @@ test("Alt keys", () =>
     await page.waitForSelector("#ask-view[open]");
   }));
 
-test("menu entries; the status line cycles through all its options", () =>
+test("entries of the drawer; the status line cycles through all its options", () =>
   withPage([], async (page) => {
-    await page.keyboard.press("m");
+    await openOld(page);
     for (const [key, words] of Object.entries(kEntries)) await changes(page, key, () => page.click(`#functions button:has-text('${words}')`));
     for (let i = 0; i < 7; ++i) await changes(page, "s", () => page.click("#functions button:has-text('Status line')"));
     await page.click("#functions button:has-text('View vector')");
     await page.waitForSelector("#ask-view[open]");
   }));
 
-test("a refused menu entry shows its error in the menu", () =>
+test("a refused entry shows its error", () =>
   withPage([], async (page) => {
-    await page.keyboard.press("m");
+    await openOld(page);
     await page.click("#functions button:has-text('View vector')");
     for (const axis of "xyz") await page.fill(`#view-${axis}`, "0");
     await page.click("#ask-view button[value=ok]");
-    await page.waitForSelector("#menu-message:has-text('value: got [0,0,0], expected')");
-    assert.ok(await page.isVisible("#menu[open]"));
+    await page.waitForSelector("#message:has-text('value: got [0,0,0], expected')");
+    assert.ok(await page.isVisible("#old"));
   }));

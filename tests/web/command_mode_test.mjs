@@ -1,7 +1,7 @@
 // Keys go to command mode or to the element with the focus.
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
-import { close, withPage } from "./bench.mjs";
+import { close, openOld, withPage } from "./bench.mjs";
 
 after(close);
 
@@ -10,10 +10,10 @@ const displayIs = (page, isOn) => page.waitForFunction((on) => window.xr3.known.
 test("plain keys work after a click on a checkbox and after a selection in a list by mouse", () =>
   withPage([], async (page) => {
     await displayIs(page, false);
-    await page.click("[data-show=region]");
+    await openOld(page);
+    await page.click("#as-program");
     await page.keyboard.press("d");
     await displayIs(page, true);
-    await page.click("#view-paper");
     await page.locator("#ink").dispatchEvent("pointerdown");
     await page.locator("#ink").focus();
     await page.selectOption("#ink", "green");
@@ -23,6 +23,7 @@ test("plain keys work after a click on a checkbox and after a selection in a lis
 
 test("letters typed into a text input are not commands", () =>
   withPage([], async (page) => {
+    await openOld(page);
     await page.fill("#wire-filter", "");
     await page.locator("#wire-filter").press("d");
     assert.equal(await page.inputValue("#wire-filter"), "d");
@@ -34,6 +35,7 @@ test("letters typed into a text input are not commands", () =>
 
 test("a held key toggles once", () =>
   withPage([], async (page) => {
+    await openOld(page);
     await displayIs(page, false);
     for (let i = 0; i < 4; ++i) await page.keyboard.down("d");
     await page.keyboard.up("d");

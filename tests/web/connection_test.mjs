@@ -21,10 +21,11 @@ const clockStands = (page) => page.evaluate(() => new Promise((resolve) => {
 test("a hanging server is detected, the clock stops, and the page recovers when the server continues", () =>
   withPage([], async (page, server) => {
     process.kill(server.pid, "SIGSTOP");
-    await page.waitForSelector("#connection:has-text('does not answer')");
+    await page.waitForSelector("#status[data-connection=silent]:has-text('No connection')");
+    await page.waitForSelector("#banner[data-kind=lost]:has-text('what you see is')");
     assert.ok(await clockStands(page));
     process.kill(server.pid, "SIGCONT");
-    await page.waitForSelector('#connection[data-state="open"]');
+    await page.waitForSelector('#status[data-connection="open"]');
     await type(server.robot, "F+20\r");
     await page.waitForFunction(() => window.xr3.known.state.joints[0].count === 20);
   }));
@@ -36,5 +37,5 @@ test("a workcell that is too large for one message is not sent", () =>
     await page.click("#tab-workcell");
     await page.setInputFiles("#workcell-load", file);
     await page.waitForSelector("#workcell-problems:has-text('too large to send: 301 KiB; the server accepts at most 256 KiB')");
-    assert.equal(await page.getAttribute("#connection", "data-state"), "open");
+    assert.equal(await page.getAttribute("#status", "data-connection"), "open");
   }));

@@ -1,4 +1,4 @@
-// The console: sent commands, replies byte for byte, and explanations beside their bytes.
+// The command line of the wire panel: what is typed is sent, and its bytes, replies and explanations appear above it.
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
 import { close, withPage } from "./bench.mjs";
@@ -11,19 +11,17 @@ async function enter(page, ...texts) {
     await page.press("#console-input", "Enter");
   }
 }
-const row = (page, n) => page.locator(`#console-log li:nth-child(${n})`);
 
 test("a reply of several blanks shows all of them", () =>
   withPage(["--clock", "manual"], async (page) => {
-    await page.click("#tab-console");
     await enter(page, "E?D?C?");
-    await page.waitForSelector("#console-log .reply");
-    assert.match(await page.locator("#console-log .reply").innerText(), /'   ' 0x202020/);
+    await page.waitForSelector("#wire li.out");
+    const replies = await page.$$eval("#wire li.out code", (each) => each.map(({ textContent }) => textContent).join(""));
+    assert.equal(replies, "   ");
   }));
 
-test("explanations appear beside their own command, even if commands follow quickly", () =>
+test("commands that follow quickly are sent in their order, and one in pieces is explained at its end", () =>
   withPage(["--clock", "manual"], async (page) => {
-    await page.click("#tab-console");
     await page.evaluate(() => {
       const input = document.querySelector("#console-input");
       for (const text of ["D?", "J", "E+", "7"]) {
@@ -31,27 +29,24 @@ test("explanations appear beside their own command, even if commands follow quic
         document.querySelector("#console-form").requestSubmit();
       }
     });
-    await page.waitForFunction(() => /move E \+7/.test(document.querySelector("#console-log li:nth-child(4)")?.textContent));
-    assert.match(await row(page, 1).textContent(), /how far D has.*D: 0 counts/);
-    assert.match(await row(page, 2).textContent(), /^J → ' ' 0x20 · (?!.*\bD\b)/);
-    assert.doesNotMatch(await row(page, 3).textContent(), /move/);
+    await page.waitForFunction(() => /move E \+7/.test(document.querySelector("#wire li.in:last-child")?.textContent));
+    const sent = await page.$$eval("#wire li.in code", (each) => each.map(({ textContent }) => textContent));
+    assert.equal(sent.join(" "), "D? J E+ 7\\r");
   }));
 
 test("a word is told, behind its letters, that it is none", () =>
   withPage(["--clock", "manual"], async (page) => {
-    await page.click("#tab-console");
     await enter(page, "home");
-    await page.waitForSelector("#console-log .warning:has-text('A$ returns to the soft home')");
-    assert.match(await row(page, 1).textContent(), /^home↵ · auxiliary port 2 off · auxiliary port 1 off · home: the controller has no such word/);
+    await page.waitForSelector("#wire .warning:has-text('A$ returns to the soft home')");
+    assert.match(await page.textContent("#wire li.in"), /home\\r.*auxiliary port 2 off · auxiliary port 1 off · home: the controller has no such word/);
   }));
 
 test("a warning has the alarm colour", () =>
   withPage(["--clock", "manual"], async (page) => {
-    await page.click("#tab-console");
     await enter(page, "E+300");
-    await page.waitForSelector("#console-log .warning:has-text('ignored')");
+    await page.waitForSelector("#wire .warning:has-text('ignored')");
     const [shown, wanted] = await page.evaluate(() => [
-      getComputedStyle(document.querySelector("#console-log .warning")).color,
-      getComputedStyle(Object.assign(document.querySelector("#alarm"), { hidden: false })).color]);
+      getComputedStyle(document.querySelector("#wire .warning")).color,
+      getComputedStyle(document.querySelector("#device-stop")).backgroundColor]);
     assert.equal(shown, wanted);
   }));

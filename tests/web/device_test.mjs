@@ -22,7 +22,7 @@ test("the page tells who gets the commands, and stops the arm", async () => {
     await page.waitForSelector("#device:has-text('commands act in the simulation')");
     await type(server.robot, "A@F+50\r");
     await page.waitForSelector("#device.is-live:has-text('Commands go to the arm')");
-    assert.ok(await page.isHidden("#alarm"), "a disabled simulator is no fault then");
+    assert.ok(await page.isHidden("#banner"), "a disabled simulator is no fault then");
     await page.waitForSelector("#wire .device:has-text('to the device: F+50')");
     const error = async () => (await arm.state()).joints.find(({ label }) => label === "F").error;
     while ((await error()) !== 50);

@@ -7,7 +7,7 @@ after(close);
 
 const kSizes = [{ width: 1280, height: 720 }, { width: 1024, height: 768 }, { width: 768, height: 1024 }];
 const differ = (a, b) => Math.hypot(...a.map((v, i) => v - b[i]));
-const kViews = ["corner", "front", "left", "right", "top"];
+const kViews = ["corner", "front", "back", "left", "right", "top"];
 
 /**
  * The maximum distance from the middle of the picture, in normalized device coordinates (1 is the
@@ -36,7 +36,7 @@ for (const robot of ["rhino-xr3", "adept-one", "intelledex-660"]) {
     for (const size of kSizes) {
       await page.setViewportSize(size);
       for (const view of kViews) {
-        await page.click(`[data-look=${view}]`);
+        await page.evaluate((name) => window.xr3.scene.lookFrom(name), view);
         const reach = await farthest(page, view === "top");
         assert.ok(reach < 0.97 && reach > 0.7, `${view} ${size.width}: ${reach}`);
       }
@@ -68,7 +68,20 @@ const look = (page) => page.evaluate(() => {
   return { distance: away.length(), target: controls.target.toArray(), way: away.normalize().toArray() };
 });
 
-test("keys zoom, move and turn the view; Alt and minus opens the menu", () =>
+test("the faces of the cube choose the side, and turn with the view", () =>
+  withPage([], async (page) => {
+    const turn = () => page.evaluate(() => document.querySelector("#cube > div").style.transform);
+    const before = await turn();
+    await page.click("[data-look=top]");
+    await page.waitForFunction(() => window.xr3.scene.eye.view === "top");
+    assert.notEqual(await turn(), before);
+    const { way } = await look(page);
+    assert.ok(way[2] > 0.99, String(way));
+    const right = await page.evaluate(() => window.xr3.scene.eye.camera.matrixWorld.elements.slice(0, 3));
+    assert.ok(right[0] > 0.99, "x runs to the right");
+  }));
+
+test("keys zoom, move and turn the view; Alt and minus opens the drawer As in 1989", () =>
   withPage([], async (page) => {
     await page.focus("#solid canvas");
     let before = await look(page);
@@ -86,15 +99,14 @@ test("keys zoom, move and turn the view; Alt and minus opens the menu", () =>
     now = await look(page);
     assert.ok(differ(now.target, before.target) < 1e-6 && differ(now.way, before.way) > 0.03, "with Shift it turns");
     await page.keyboard.press("Alt+NumpadSubtract");
-    await page.waitForSelector("#menu[open]");
+    await page.waitForSelector("#old:visible");
     assert.ok(Math.abs((await look(page)).distance - now.distance) < 1e-6);
   }));
 
 test("the view's focus outline lies inside its border, and its label names the keys", () =>
   withPage([], async (page) => {
-    await page.focus("#clear-path");
-    await page.keyboard.press("Tab");
-    assert.equal(await page.evaluate(() => document.activeElement.closest("#solid") !== null), true);
+    await page.focus("#solid canvas");
+    await page.keyboard.press("+"); // a key shows the focus
     const { offset, width } = await page.evaluate(() => {
       const style = getComputedStyle(document.activeElement);
       return { offset: parseFloat(style.outlineOffset), width: parseFloat(style.outlineWidth) };

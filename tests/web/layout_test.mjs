@@ -33,12 +33,13 @@ function pale() {
   };
   for (const each of document.querySelectorAll("button, select, input:not([type=checkbox]):not([type=file]), .file, .lamp")) {
     const style = getComputedStyle(each);
-    if (each.disabled || style.borderTopWidth === "0px" || style.borderTopStyle === "none") continue;
+    const isBare = style.borderTopWidth === "0px" || style.borderTopStyle === "none" || rgb(style.borderTopColor).a === 0;
+    if (each.disabled || isBare || each.offsetParent === null) continue;
     const is = contrast(rgb(style.borderTopColor), behind(each.parentElement));
     if (is < 3) found.push(`border of ${each.id || each.textContent}: ${is.toFixed(2)}`);
   }
   for (const each of document.querySelectorAll("input[placeholder]")) check(each, getComputedStyle(each, "::placeholder").color, "placeholder", 4.5);
-  for (const each of document.querySelectorAll("label, h2, td, th, .parsed, #chosen, #camera-at, .axis span")) check(each, getComputedStyle(each).color, "text", 4.5);
+  for (const each of document.querySelectorAll("label, h2, td, th, dt, dd, .parsed, .hint, .joint, #chosen, #camera-at, .axis span")) check(each, getComputedStyle(each).color, "text", 4.5);
   check(document.querySelector("#plan"), getComputedStyle(document.querySelector(".space")).stroke, "outline of the workspace", 3);
   return found;
 }
@@ -51,7 +52,7 @@ for (const colorScheme of ["dark", "light"]) {
 }
 
 /** In the page: the controls that a finger would miss, with their sizes. */
-const tooSmall = () => [...document.querySelectorAll("[type=checkbox], [data-block], .blocks button, #workcell-panel button")]
+const tooSmall = () => [...document.querySelectorAll("label:has([type=checkbox]), [data-block], .blocks button, #workcell-panel button")]
   .map((each) => [each.dataset.block ?? (each.id || each.textContent), each.getBoundingClientRect()])
   .filter(([, { width, height }]) => width > 0 && Math.min(width, height) < 23.9).map(([name, { width, height }]) => `${name}: ${width}×${height}`);
 
@@ -81,14 +82,14 @@ async function robotWithName(name) {
   return path;
 }
 
-/** Clipped parts of the joint table: cells narrower than their text, and bars too short to read. */
+/** Clipped parts of the joints: values narrower than their text, and sliders too short to use. */
 const cut = (page) => page.evaluate(() => [
-  ...[...document.querySelectorAll(".joints td:not(.bar), .joints th")].filter((each) => each.scrollWidth > each.clientWidth + 1).map((each) => each.textContent),
-  ...[...document.querySelectorAll(".track")].filter((each) => each.clientWidth < 34).map((each) => `bar of ${each.clientWidth} px`),
-  ...["aside", ".joints"].map((each) => document.querySelector(each)).filter((each) => each.scrollWidth > each.clientWidth).map((each) => `${each.className || each.tagName} too wide`),
+  ...[...document.querySelectorAll(".joint .value")].filter((each) => each.scrollWidth > each.clientWidth + 1).map((each) => each.value),
+  ...[...document.querySelectorAll(".slide")].filter((each) => each.clientWidth < 80).map((each) => `slider of ${each.clientWidth} px`),
+  ...["aside", "#joints"].map((each) => document.querySelector(each)).filter((each) => each.scrollWidth > each.clientWidth).map((each) => `${each.className || each.tagName} too wide`),
 ]);
 
-test("the joint table is not clipped with any robot at its limits, nor with a long joint name", async () => {
+test("the joints are not clipped with any robot at its limits, nor with a long joint name", async () => {
   const long = await robotWithName("a joint with a very long name!");
   for (const [robot, workcell] of [...kRobots.map((each) => [each, each]), [long, "rhino-xr3"]]) {
     await withPage(["--robot", robot, "--workcell", workcell, "--clock", "real:1000"], async (page, server) => {
@@ -97,13 +98,15 @@ test("the joint table is not clipped with any robot at its limits, nor with a lo
           await type(server.robot, joints.map((label) => `${label}+120\r`).join(""));
           await server.rest();
         }
-      await page.waitForSelector(".joints .note.alarm");
+      await page.waitForSelector("#joints .is-blocked");
       assert.deepEqual(await cut(page), [], robot);
+      await page.click("#joint-unit [data-unit=counts]");
+      assert.deepEqual(await cut(page), [], `${robot}, counts`);
     });
   }
 });
 
-const kSizes = [{ width: 1280, height: 720 }, ...kTablets, { width: 400, height: 800 }];
+const kSizes = [{ width: 1440, height: 900 }, { width: 1280, height: 720 }, ...kTablets, { width: 1024, height: 600 }, { width: 390, height: 844 }];
 for (const viewport of kSizes) {
   test(`${viewport.width}×${viewport.height}: no panel is clipped`, async () => {
     for (const robot of kRobots) {
@@ -112,12 +115,14 @@ for (const viewport of kSizes) {
         await page.focus("[data-block]");
         await inSight(page, "#workcell-panel button, #workcell-panel .file, #plan");
         await page.click("#tab-teach");
-        await inSight(page, "#teach-panel .bar button, #teach-panel .jog button");
+        await inSight(page, "#teach-panel .bar button");
         await page.click("#tab-plots");
-        await inSight(page, "#plots-panel button, #plots-panel label, #plots-panel .canvas");
-        await page.click("#tab-console");
-        await inSight(page, "#console-panel button, #console-input, [role=tab]");
+        await inSight(page, "#plots-panel .bar button, #plots-panel .bar label");
+        await page.click("#tab-wire");
+        await inSight(page, "#wire-panel button:not([hidden]), #console-input");
         assert.ok((await page.locator("#console-input").boundingBox()).width > 120);
+        const part = (await page.locator(".stage").boundingBox()).height / viewport.height;
+        assert.ok(part > 0.4, `the stage has ${part} of the height`);
         assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth), "too wide");
       }, { viewport });
     }

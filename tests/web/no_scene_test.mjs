@@ -1,7 +1,7 @@
 // A browser without WebGL: the page shows the reason in place of the picture, and the rest works.
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
-import { close, open, refuseWebGl, serve, type } from "./bench.mjs";
+import { close, open, openOld, refuseWebGl, serve, showsCount, type } from "./bench.mjs";
 
 after(close);
 
@@ -11,10 +11,10 @@ test("without WebGL the paper's view, the joints and the wire panel work", async
   await page.addInitScript(refuseWebGl);
   await page.goto(server.url);
   await type(server.robot, "F+20\r");
-  await page.waitForSelector("tr[data-label=F] .count:has-text('20')");
+  await showsCount(page, "F", 20);
   await page.waitForSelector("#wire li.in");
+  await openOld(page);
   assert.ok(await page.isVisible("#paper-canvas"));
-  await page.click("#view-solid");
   await page.waitForSelector("#solid .instead:has-text('WebGL')");
   await page.click("#theme");
   await page.context().close();

@@ -1,7 +1,7 @@
 // The paper's view: live, as the program draws it, and without erasing.
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
-import { close, type, withPage } from "./bench.mjs";
+import { close, openOld, type, withPage } from "./bench.mjs";
 
 after(close);
 
@@ -17,7 +17,7 @@ const noted = (page, words) => page.waitForFunction((text) => document.querySele
 
 test("the view is live also while the program's display is off", () =>
   withPage(["--clock", "manual"], async (page, server) => {
-    await page.click("#view-paper");
+    await openOld(page);
     await noted(page, "live");
     assert.ok(await inked(page) > 500);
     assert.ok(!await page.isVisible("#display-on"));
@@ -30,7 +30,7 @@ test("the view is live also while the program's display is off", () =>
 
 test("as the program draws it, the view is empty while its display is off, and redraws at its period", () =>
   withPage(["--clock", "manual"], async (page, server) => {
-    await page.click("#view-paper");
+    await openOld(page);
     await page.check("#as-program");
     await noted(page, "display is off");
     assert.equal(await inked(page), 0);
@@ -56,7 +56,7 @@ test("as the program draws it, the view is empty while its display is off, and r
 
 test("a path that is not erased is kept after a change of size and of view", () =>
   withPage(["--clock", "real:5"], async (page, server) => {
-    await page.click("#view-paper");
+    await openOld(page);
     await page.check("#as-program");
     await page.click("#display-on");
     await page.evaluate(() => window.xr3.call("key", { function: "path" }));
@@ -66,8 +66,8 @@ test("a path that is not erased is kept after a change of size and of view", () 
     await type(server.robot, "F+120\rE+60\r");
     await server.rest();
     await page.waitForFunction(() => window.xr3.known.state.joints[0].count === 120 && !window.xr3.known.state.moving);
-    await page.click("#view-solid");
-    await page.click("#view-paper");
+    await page.click("#old-close");
+    await openOld(page);
     const path = await inked(page);
     assert.ok(path > 1.5 * one, `${one} dark pixels, then ${path}`);
     await page.setViewportSize({ width: 1180, height: 700 });

@@ -8,9 +8,9 @@ after(close);
 /** Kills the server and starts another on the same ports after the page has noticed the loss. */
 async function again(page, server, ...options) {
   await server.stop("SIGKILL");
-  await page.waitForSelector('#connection[data-state="lost"]');
+  await page.waitForSelector('#status[data-connection="lost"]');
   const next = await serve("--robot-port", String(server.robot), "--monitor-port", String(server.monitor), ...options);
-  await page.waitForSelector('#connection[data-state="open"]');
+  await page.waitForSelector('#status[data-connection="open"]');
   return next;
 }
 const rows = (page) => page.locator("#wire li").allTextContents();

@@ -59,6 +59,7 @@ test("the tool path has a gap at a jump home, and reset clears it", () =>
     await page.click("#home");
     await isAtHome(page);
     assert.equal(total(await lengths(page)), way);
+    await page.click("#more-button");
     await page.click("#reset");
     await page.waitForFunction(() => window.xr3.scene.path.lengths().length === 0);
   }));

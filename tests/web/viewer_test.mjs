@@ -5,7 +5,7 @@ import { readFile, rm, stat, writeFile } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, test } from "node:test";
-import { close, leavePage, ofThePage, open, ready, root, serve, takePage, type, withPage } from "./bench.mjs";
+import { close, leavePage, ofThePage, open, openOld, ready, root, serve, showsCount, takePage, type, withPage } from "./bench.mjs";
 
 after(close);
 
@@ -22,10 +22,7 @@ for (const robot of kRobots) {
       await page.waitForFunction((count) => window.xr3.known.state.joints[0].count === count, joints[0].count);
       assert.ok(near(await page.evaluate(() => window.xr3.tip()), tool.xyz_mm, 0.01));
       await page.waitForFunction((xyz) => window.xr3.tipDrawn().every((v, i) => Math.abs(v - xyz[i]) < 0.01), tool.xyz_mm);
-      for (const joint of joints) {
-        const row = page.locator(`tr[data-label=${joint.label}]`);
-        assert.equal(await row.locator(".count").textContent(), String(joint.count));
-      }
+      for (const joint of joints) await showsCount(page, joint.label, joint.count);
       if (!screenshots) return;
       await page.screenshot({ path: `${screenshots}/${robot}.png` });
       await page.click("#theme");
@@ -40,7 +37,7 @@ const drawnParts = () => {
   return { links: links.map(isDrawn), jaws: fingers.length };
 };
 
-test("a robot without outlines and workcell is a stick figure with joints, jog buttons, wire and tip, and has no camera", async () => {
+test("a robot without outlines and workcell is a stick figure with joints, wire and tip, and has no camera", async () => {
   const file = join(tmpdir(), `xr3-bare-robot-${process.pid}.json`);
   const text = (await readFile(`${root}data/robots/rhino-xr3.json`, "utf8")).replace(/^\*.*$/gm, "");
   const robot = JSON.parse(text);
@@ -50,9 +47,9 @@ test("a robot without outlines and workcell is a stick figure with joints, jog b
   await writeFile(file, JSON.stringify(robot));
   try {
     await withPage(["--robot", file, "--clock", "real:20"], async (page, server) => {
-      await page.click("#tab-console");
-      await page.click("#jog [aria-label='base (F) up']");
-      await page.waitForSelector("tr[data-label=F] .count:has-text('5')");
+      await page.fill("#joints [data-label=F] .value", "5");
+      await page.keyboard.press("Enter");
+      await showsCount(page, "F", 22);
       await page.waitForSelector("#wire li.in", { state: "attached" });
       await server.rest();
       const { tool } = await server.state();
@@ -69,12 +66,12 @@ test("a robot without outlines and workcell is a stick figure with joints, jog b
 test("a move sent on the robot port shows in the scene and in the joint table", () =>
   withPage(["--clock", "real:0.25"], async (page, server) => {  // slow, so that a slow browser sees the motion
     const before = await page.evaluate(() => window.xr3.tipDrawn());
-    const busy = page.waitForSelector("tr[data-label=F] .error.busy");
+    const busy = page.waitForSelector("#joints [data-label=F].has-goal");
     await type(server.robot, "F+100\r");
     await busy;
     await page.waitForFunction((from) => window.xr3.tipDrawn()[1] - from[1] > 5, before);
-    await page.waitForFunction(() => document.querySelector("tr[data-label=F] .count").textContent === "100");
-    await page.waitForSelector("tr[data-label=F] .error:not(.busy)");
+    await showsCount(page, "F", 100);
+    await page.waitForSelector("#joints [data-label=F]:not(.has-goal)");
   }));
 
 /** The points of all parts, moved and scaled so that together they fill the unit square. */
@@ -89,7 +86,7 @@ function normalized(parts) {
 
 test("the paper's view shows the lines of /view.svg", () =>
   withPage([], async (page, server) => {
-    await page.click("#view-paper");
+    await openOld(page);
     await page.check("#as-program");
     await page.click("#display-on");
     await page.waitForFunction(() => window.xr3.known.display.on && window.xr3.paperDraws() > 0);
@@ -114,16 +111,16 @@ test("the paper's view shows the lines of /view.svg", () =>
     assert.ok(inked > 500, `${inked} dark pixels`);
   }));
 
-test("a stall is shown, and the key h clears it", () =>
+test("a stall is shown, and the button beside it clears it", () =>
   withPage(["--clock", "real:50"], async (page, server) => {
     for (let i = 0; i < 20 && !(await server.state()).stalled; ++i) {
       await type(server.robot, "E-120\r");
       await server.rest();
     }
-    await page.waitForSelector("#alarm:not([hidden])");
-    assert.match(await page.textContent("#alarm"), /^Stalled/);
-    await page.keyboard.press("h");
-    await page.waitForSelector("#alarm[hidden]", { state: "attached" });
+    await page.waitForSelector("#banner[data-kind=stalled]:has-text('The arm is stalled')");
+    assert.equal(await page.textContent("#status-word"), "Stalled");
+    await page.click("#banner-act:has-text('Home')");
+    await page.waitForSelector("#banner", { state: "hidden" });
     assert.equal((await server.state()).stalled, null);
   }));
 
@@ -171,9 +168,9 @@ test("the page reconnects to a server that was killed and restarted", async () =
   await page.goto(first.url);
   await ready(page);
   await first.stop("SIGKILL");
-  await page.waitForSelector('#connection[data-state="lost"]');
+  await page.waitForSelector('#status[data-connection="lost"]');
   const again = await serve("--robot-port", String(first.robot), "--monitor-port", String(first.monitor));
-  await page.waitForSelector('#connection[data-state="open"]');
+  await page.waitForSelector('#status[data-connection="open"]');
   await type(again.robot, "F+20\r");
   await page.waitForFunction(() => window.xr3.known.state.joints[0].count === 20);
   await leavePage(page);
@@ -192,26 +189,26 @@ test("the wire panel explains bytes, and after a reload shows the last 256 messa
     assert.equal(await page.locator("#wire li").count(), 0);
   }, { picture: false }));
 
-test("the console's replies are decoded, and jogging moves a joint", () =>
+test("typed commands and their replies are decoded, and a button moves the arm", () =>
   withPage(["--clock", "manual"], async (page) => {
-    await page.click("#tab-console");
+    await page.locator("#jog button[aria-label='y plus']").focus();
+    await page.keyboard.press("Enter");
+    await page.waitForFunction(() => window.xr3.known.state.joints[0].error !== 0);
     await page.fill("#console-input", "E+13");
     await page.keyboard.press("Enter");
     await page.fill("#console-input", "E?");
     await page.keyboard.press("Enter");
-    await page.waitForFunction(() => /'-' 0x2d.*13 counts to go/.test(document.querySelector("#console-log li:last-child")?.textContent ?? ""));
+    await page.waitForFunction(() => /13 counts to go/.test(document.querySelector("#wire li.out:last-child")?.textContent ?? ""));
     await page.keyboard.press("ArrowUp");
     assert.equal(await page.inputValue("#console-input"), "E?");
-    await page.locator("#jog button").first().focus();
-    await page.keyboard.press("Enter");
-    await page.waitForFunction(() => window.xr3.known.state.joints[0].error !== 0);
   }, { picture: false }));
 
 test("command mode: Alt keys, plain keys and the menu do the same", () =>
   withPage([], async (page) => {
     await page.keyboard.press("Alt+F1");
     await page.waitForFunction(() => window.xr3.known.display.on);
-    await page.keyboard.press("d");
+    await page.keyboard.press("d"); // not while the drawer is shut
+    await page.keyboard.press("Alt+F1");
     await page.waitForFunction(() => !window.xr3.known.display.on);
     await page.keyboard.press("Alt+F6");
     await page.waitForFunction(() => !window.xr3.known.display.function_keys);
@@ -220,14 +217,17 @@ test("command mode: Alt keys, plain keys and the menu do the same", () =>
     await page.waitForFunction(() => window.xr3.known.display.function_keys);
     assert.ok(await page.evaluate(() => window.xr3.known.state.enabled), "a disabled key does nothing");
     await page.keyboard.press("Alt+NumpadSubtract");
-    await page.waitForSelector("#menu[open]");
+    await page.waitForSelector("#old:visible");
     await page.click("#functions button:has-text('Simulator')");
     await page.waitForSelector("#functions [data-now=enabled]:has-text('disabled')");
     await page.keyboard.press("F5");
     await page.waitForSelector("#functions [data-now=enabled]:has-text('enabled')");
     await page.keyboard.press("p");
     await page.waitForSelector("#functions [data-now=path]:has-text('no')");
+    await page.keyboard.press("d");
+    await page.waitForFunction(() => window.xr3.known.display.on);
     await page.keyboard.press("Escape");
+    await page.waitForSelector("#old", { state: "hidden" });
     await page.keyboard.press("Alt+F2");
     await page.waitForSelector("#ask-view[open]");
     await page.fill("#view-y", "-4");
@@ -238,7 +238,7 @@ test("command mode: Alt keys, plain keys and the menu do the same", () =>
 test("time is paused, stepped and resumed; input lines are clicked", () =>
   withPage([], async (page) => {
     await page.click("#pause");
-    await page.waitForSelector("#pause:has-text('Resume')");
+    await page.waitForSelector("#banner[data-kind=paused]");
     await page.waitForFunction(() => window.xr3.known.state.clock.mode === "manual"); // the button changes earlier, by the event
     const tick = await page.evaluate(() => window.xr3.known.state.tick);
     await page.click("#step");
@@ -247,7 +247,7 @@ test("time is paused, stepped and resumed; input lines are clicked", () =>
     await page.waitForSelector("#inputs button:nth-child(3)[aria-pressed=true]");
     assert.equal(await page.evaluate(() => window.xr3.known.state.tick), tick + 100);
     await page.click("#pause");
-    await page.waitForSelector("#pause:has-text('Pause')");
+    await page.waitForSelector("#banner", { state: "hidden" });
   }, { picture: false }));
 
 test("the page is read-only without a token; #token= unlocks it and is removed from the address bar", async () => {
@@ -293,7 +293,7 @@ test("every control has a name, and the page fits a laptop and a tablet", async 
     const nameless = await page.evaluate(() => [...document.querySelectorAll("button, select, input")]
       .filter((each) => !(each.textContent.trim() || each.getAttribute("aria-label") || each.labels?.length || each.title)).map((each) => each.outerHTML));
     assert.deepEqual(nameless, []);
-    for (const viewport of [{ width: 1280, height: 720 }, { width: 1024, height: 768 }]) {
+    for (const viewport of [{ width: 1280, height: 720 }, { width: 1024, height: 768 }, { width: 1024, height: 600 }, { width: 390, height: 844 }, { width: 844, height: 390 }]) {
       await page.setViewportSize(viewport);
       const overflow = await page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
       assert.ok(overflow <= 0, `${viewport.width}: ${overflow} px too wide`);

@@ -189,5 +189,5 @@ test("a file that is too large or invalid is reported with all its errors", () =
     for (const pointer of ["/work_surface", "/workspace/x", "/workspace/z"]) assert.ok(words.includes(pointer), words);
     await page.click("#workcell-problems button");
     assert.ok(await page.isHidden("#workcell-problems"));
-    assert.equal(await page.getAttribute("#connection", "data-state"), "open");
+    assert.equal(await page.getAttribute("#status", "data-connection"), "open");
   }));

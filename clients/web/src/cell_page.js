@@ -1,20 +1,33 @@
 // The page of one cell. Messages from the server update `known` and all panels; user actions
 // become calls. The page uses only the public monitor protocol.
-import { connection, earlyRefusals, firstHello, showConnection } from "./start.js";
+import { connection, earlyRefusals, firstHello, onConnection } from "./start.js";
+import { connectSections } from "./app/sections.js";
+import { connectSplitters } from "./app/splitters.js";
+import { Drawer } from "./app/drawer.js";
+import { Help } from "./app/help.js";
+import { connectKeys } from "./app/keys.js";
+import { OldDrawer } from "./app/old_drawer.js";
+import { clockText, statusOf } from "./app/status.js";
+import { countsOf } from "./lib/drive.js";
+import { handOf } from "./lib/hand.js";
+import { HandMover } from "./lib/hand_mover.js";
+import { StatusView } from "./app/status_view.js";
 import { Access } from "./panels/access.js";
-import { Alarm } from "./panels/alarm.js";
-import { wireTabs, wireWireBar, wireWorkcellBar } from "./panels/bottom_tabs.js";
+import { Messages } from "./panels/messages.js";
 import { CameraPanel } from "./panels/camera_panel.js";
 import { CommandMenu } from "./panels/command_menu.js";
 import { CommandMode } from "./lib/command_mode.js";
-import { ConsolePanel } from "./panels/console_panel.js";
+import { CommandLine } from "./panels/command_line.js";
 import { ControlLock } from "./panels/control_lock.js";
 import { DeviceNotice } from "./panels/device_notice.js";
 import { DigitalLines } from "./panels/digital_lines.js";
-import { byId, setText } from "./lib/dom.js";
-import { JointTable } from "./panels/joints.js";
+import { BlockCard } from "./panels/block_card.js";
+import { byId, el, isSame, setText } from "./lib/dom.js";
+import { JointPanel } from "./panels/joint_panel.js";
 import { LinesPanel } from "./panels/lines_panel.js";
 import { tip } from "./lib/kinematics.js";
+import { motorFiles, valuesOf } from "./lib/motors.js";
+import { Mover } from "./lib/mover.js";
 import { NoScene } from "./scene/no_scene.js";
 import { PaperView } from "./panels/paper_view.js";
 import { PastFrames } from "./rewind/past_frames.js";
@@ -23,10 +36,12 @@ import { textOf } from "./lib/refusal.js";
 import { PlotPanel } from "./panels/plot_panel.js";
 import { Rewind } from "./rewind/rewind.js";
 import { Scene } from "./scene/scene.js";
-import { Stage } from "./panels/stage.js";
+import { StageTools } from "./panels/stage_tools.js";
 import { TeachPanel } from "./panels/teach_panel.js";
 import { onTheme } from "./lib/theme.js";
 import { TimeBar } from "./panels/time_bar.js";
+import { TipDrag } from "./panels/tip_drag.js";
+import { ToolPanel } from "./panels/tool_panel.js";
 import { WirePanel } from "./panels/wire_panel.js";
 import { transcriptLine } from "./lib/wire_text.js";
 import { WorkcellPanel } from "./panels/workcell_panel.js";
@@ -35,12 +50,12 @@ const known = {}; // the newest hello, model, state and display, the arrival tim
 
 // --- Connection and calls.
 
-connection.handlers = { onMessage: take, onStatus: showConnection, onTokenRefused: (error) => access.refused(error) };
-const alarm = new Alarm({ line: byId("alarm"), places: [byId("message"), byId("menu-message")] });
+connection.handlers = { onMessage: take, onStatus: onConnection, onTokenRefused: (error) => access.refused(error) };
+const messages = new Messages(byId("message"));
 const device = new DeviceNotice({
   host: byId("device"), text: byId("device-text"), button: byId("device-stop"), stop: () => call("device_stop"),
 });
-const showMessage = (text) => alarm.showMessage(text);
+const showMessage = (text) => messages.show(text);
 const showError = (error) => showMessage(textOf(error));
 
 async function call(fn, args = {}) {
@@ -56,14 +71,35 @@ async function call(fn, args = {}) {
 
 const lock = new ControlLock({ onChange: allow });
 const access = new Access({ connection, lock, onError: showError, onUnlocked: readAgain });
-const isOpen = () => byId("connection").dataset.state === "open";
+const isOpen = () => byId("status").dataset.connection === "open";
 function allow() {
+  if (!lock.isFree) {
+    mover.clear();
+    tipDrag.cancel();
+  }
   timeBar.allow();
   teach.allow();
 }
 const scene = makeScene(byId("solid"));
 const paper = new PaperView(byId("paper-canvas"));
-const joints = new JointTable(byId("joints"));
+const mover = new Mover({
+  send: (text) => commandLine.transmit(text), getState: (fields) => connection.get("state", { fields }), onChange: showQueue, onError: showError,
+});
+const joints = new JointPanel({
+  host: byId("joints"), units: byId("joint-unit"), mover,
+  onPreview: (goal) => scene.showGhost(goal && known.model && valuesAt({ ...countsOf(known.state), ...goal })),
+});
+const hands = new HandMover({ mover, inverse: (args) => connection.call("inverse", args) });
+const tool = new ToolPanel({
+  place: byId("tool-place"), host: byId("jog"), steps: byId("jog-step"), queue: byId("queue"), hands,
+  onRefused: (reason) => showMessage(`Not there: ${reason}.`), onError: showError,
+});
+const blockCard = new BlockCard({
+  host: document.querySelector(".stage"), hands, tool, onRefused: (reason) => showMessage(`Not there: ${reason}.`), onError: showError,
+});
+scene.picking.onClick = (spot, { offsetX, offsetY }) => (spot?.name ? blockCard.open(spot.name, { x: offsetX, y: offsetY }) : blockCard.close());
+scene.picking.onPoint = showSpot;
+const tipDrag = new TipDrag({ host: document.querySelector(".stage"), scene, hands, mayMove: () => lock.isFree && isOpen(), onError: showError });
 const camera = new CameraPanel(byId("camera"), byId("camera-caption"));
 const digitalLines = new DigitalLines({ setInput: (i, value) => call("input", { input: i + 1, value }) });
 const wire = new WirePanel({
@@ -76,12 +112,11 @@ const lines = new LinesPanel({
   onChoose: showWireOf,
 });
 const plots = new PlotPanel({ host: byId("plots-panel"), tickNow: () => (known.state ? timeBar.tickNow() : 0), hz: () => known.hello?.tick_hz ?? 1000 });
-const consolePanel = new ConsolePanel({
-  form: byId("console-form"), input: byId("console-input"), log: byId("console-log"), jog: byId("jog"), step: byId("jog-step"),
-  send: (text) => connection.call("send", { text }), getState: (fields) => connection.get("state", { fields }), onError: showError,
+const commandLine = new CommandLine({
+  form: byId("console-form"), input: byId("console-input"), send: (text) => connection.call("send", { text }), onError: showError,
 });
 const teach = new TeachPanel({
-  host: byId("teach-panel"), send: (text) => consolePanel.transmit(text), getState: (fields) => connection.get("state", { fields }), lock, onError: showError, showMessage,
+  host: byId("teach-panel"), send: (text) => commandLine.transmit(text), getState: (fields) => connection.get("state", { fields }), lock, onError: showError, showMessage,
 });
 const workcell = new WorkcellPanel({
   host: byId("workcell-panel"), call: (fn, args) => connection.call(fn, args), getModel: () => connection.get("model"), mayCall: () => lock.isFree, onError: showError,
@@ -92,20 +127,48 @@ const timeBar = new TimeBar({
 const rewind = new Rewind({ call: (fn, args) => connection.call(fn, args), isOpen, lock, onError: showError });
 const menu = new CommandMenu({ known, call, lock, showMessage });
 const run = (name) => menu.run(name);
-const stage = new Stage({ scene, paper, call, run, follow: (options) => connection.follow("display", options) });
-new CommandMode({ run, toggleMenu: () => menu.toggle(), known });
+const old = new OldDrawer({ paper, call, run, follow: (options) => connection.follow("display", options) });
+new StageTools(scene);
+const status = new StatusView((act) => kActs[act]());
+const kActs = {
+  retry: () => connection.retry(), live: () => rewind.past.live(), resume: () => call("resume"), enable: () => run("enabled"), home: () => call("home"),
+  contest: () => showWireOf({ line: known.contest.lines[1], key: known.contest.lines[1] }),
+};
+new CommandMode({ run, old, known });
 
 byId("home").onclick = () => call("home");
 byId("reset").onclick = () => call("reset");
 byId("outlines").onchange = (event) => camera.setOutlines(event.target.checked);
-const chooseTab = wireTabs((panel) => {
+byId("stop-motors").onclick = () => mover.drive.stop().catch(showError);
+const drawer = new Drawer((panel) => {
+  if (panel === "wire-panel") wire.show();
   if (panel === "lines-panel") lines.show();
   if (panel === "plots-panel") plots.show();
-  if (panel === "console-panel") byId("console-panel").append(byId("jog-controls"));
-  if (panel === "teach-panel") document.querySelector(".teach").append(byId("jog-controls"));
 });
-wireWireBar(wire);
-wireWorkcellBar(workcell);
+connectSections();
+connectSplitters();
+document.addEventListener("keydown", (event) => event.key === "Escape" && !document.querySelector("dialog[open]") && mover.clear());
+
+/** The single keys, in the order of Help. */
+const kKeys = [
+  { keys: [" "], shown: "Space", does: "pause time and go on", act: () => byId("pause").click() },
+  { keys: ["."], shown: ".", does: "one step of time, while it is paused", act: () => byId("step").click() },
+  { keys: ["h"], shown: "H", does: "home", act: () => byId("home").click() },
+  { keys: [..."12345678"], shown: "1 … 8", does: "choose a joint, base first; arrow keys move it", act: ({ key }) => joints.take(Number(key) - 1) },
+  { keys: ["g"], shown: "G", does: "take the tip: arrow keys x and y, Page keys z, Enter goes", act: () => tipDrag.begin() },
+  { keys: ["o"], shown: "O", does: "open the jaws", act: () => byId("jaws-open").click() },
+  { keys: ["c"], shown: "C", does: "close the jaws", act: () => byId("jaws-close").click() },
+  { keys: ["0"], shown: "0", does: "show all", act: () => byId("show-all").click() },
+  { keys: ["f"], shown: "F", does: "full screen", act: () => byId("full-screen").click() },
+  { keys: ["l"], shown: "L", does: "layers", act: () => byId("layers-button").click() },
+  { keys: ["w"], shown: "W", does: "Wire", act: () => drawer.choose("tab-wire") },
+  { keys: ["j"], shown: "J", does: "open or close the drawer", act: () => byId("drawer-toggle").click() },
+  { keys: ["t"], shown: "T", does: "time bar", act: () => byId("rewind").click() },
+  { keys: ["?"], shown: "?", does: "this help", act: () => help.open() },
+  { keys: [], shown: "Esc", does: "let go, drop what waits, close, back to now", act: () => {} },
+];
+const help = new Help(kKeys);
+connectKeys(kKeys, () => !old.isOpen && !tipDrag.isUnderWay);
 
 // Without WebGL the rest of the page still works.
 function makeScene(host) {
@@ -120,17 +183,17 @@ function makeScene(host) {
 /** Shows the bytes of a row of the lines' table. */
 function showWireOf(entry) {
   wire.setSource(entry);
-  chooseTab("tab-wire");
+  drawer.choose("tab-wire");
   byId("wire-source").focus();
 }
 
 // --- Messages from the server.
 
-const views = [scene, joints, camera, workcell]; // of model and state
+const views = [scene, joints, tool, camera, workcell, blockCard]; // of model and state
 const pastFrames = new PastFrames({
   known, onEnter: () => plots.leave(), onLeave: () => scene.jump(),
   show: {
-    model: (model) => views.forEach((view) => view.setModel(model)), state: showPast, image: (m) => camera.setImage(m), display: (m) => stage.setDisplay(m),
+    model: showModel, state: showPast, image: (m) => camera.setImage(m), display: (m) => old.setDisplay(m),
   },
 });
 
@@ -154,7 +217,7 @@ function takeHello(hello) {
   if (isOwn) showName(hello.robot.name);
   byId("all-cells").hidden = !isOverview("/", hello);
   access.set(hello.access);
-  consolePanel.restart();
+  mover.clear();
   lines.show();
   if (before) wire.reconnected(isSooner(hello, before));
   rewind.reconnected();
@@ -206,37 +269,47 @@ function readAgain() {
 function takeModel(model) {
   known.model = model;
   if (known.hello) showName(model.robot.name);
-  for (const panel of [...views, consolePanel, plots, teach]) panel.setModel(model);
+  showModel(model);
+  takeRobot(model.robot);
+  for (const panel of [plots, teach]) panel.setModel(model);
   lock.apply();
   if (known.state) takeState(known.state);
+}
+
+/** Models also arrive when blocks move: motions go on then. */
+function takeRobot(robot) {
+  if (isSame(robot, known.robot)) return;
+  known.robot = robot;
+  mover.setRobot(robot);
+  hands.setRobot(robot);
 }
 
 function takeState(state) {
   known.firstStateMs ??= performance.now();
   known.state = state;
   known.arrival = performance.now();
+  hands.setState(state);
   if (known.model) for (const panel of [...views, plots]) panel.setState(state);
-  for (const panel of [timeBar, digitalLines, alarm, device]) panel.setState(state);
+  for (const panel of [timeBar, digitalLines, device]) panel.setState(state);
   rewind.setPresent(state);
-  showTool(state);
   menu.show();
+  showStatus();
 }
 
 function showPast(state) {
-  for (const panel of [...views, digitalLines, alarm]) panel.setState(state);
+  for (const panel of [...views, digitalLines]) panel.setState(state);
   timeBar.follow();
-  showTool(state);
+  showStatus();
 }
 
 function takeDisplay(display) {
   known.display = display;
-  stage.setDisplay(display);
+  old.setDisplay(display);
   menu.show();
 }
 
 function takeLine(message) {
   wire.take(message);
-  consolePanel.explain(message);
   lines.touch();
 }
 
@@ -258,6 +331,14 @@ function takeEvent(event) {
   if (event.event === "cell_closed") showMessage("This robot is gone: its program has closed the connection, and nobody came back.");
   if (event.line === null && (event.event === "warning" || event.event === "device")) wire.warn(event);
   if (event.event === "fault" || event.event === "contested") wire.warn(event);
+  known.contest = contestAfter(known.contest, event);
+}
+
+/** Two lines that move one joint, until one of them closes or time begins anew. */
+function contestAfter(contest, { event, line, other_line, joint }) {
+  if (event === "contested") return { lines: [other_line, line], joint: motorFiles(known.model.robot).find(({ label }) => label === joint)?.name ?? joint };
+  const ends = event === "epoch" || (event === "line_close" && contest?.lines.includes(line));
+  return ends ? null : contest;
 }
 
 // The event arrives before the next state and has the tick at which the new speed took effect.
@@ -268,9 +349,45 @@ function takeClock({ clock, tick }) {
   rewind.setPresent(known.state);
 }
 
-function showTool({ tool }) {
-  const at = tool.xyz_mm.map((v) => v.toFixed(1)).join(", ");
-  setText(byId("tool-line"), `tip ${at} mm\nroll ${tool.net_roll_deg.toFixed(1)}°, opening ${tool.opening_mm.toFixed(1)} mm${tool.holding ? `, holds ${tool.holding}` : ""}`);
+const valuesAt = (counts) => {
+  const values = valuesOf(known.model.robot, counts);
+  return motorFiles(known.model.robot).map(({ label }) => values[label]);
+};
+
+function showModel(model) {
+  for (const view of views) view.setModel(model);
+}
+
+function showQueue() {
+  tool.showQueue();
+  if (known.state) joints.setState(known.past ?? known.state);
+}
+
+/** What is under the pointer in the picture. */
+function showSpot(spot) {
+  byId("reads").hidden = !spot;
+  if (!spot) return;
+  const [x, y, z] = spot.xyz_mm.map((v) => Math.round(v));
+  byId("reads").replaceChildren(el("b", {}, `x ${x} y ${y} z ${z}`), ` mm${spot.name ? ` · ${spot.name}` : ""}`);
+}
+
+/** The status, from all that is known; called with each state and once a second. */
+function showStatus() {
+  const { past, hello, state } = known;
+  const place = past ? { tick: past.tick, epoch: past.epoch } : null;
+  status.show(statusOf({
+    connection: byId("status").dataset.connection, state, place, contest: known.contest ?? null, hz: hello?.tick_hz ?? 1000,
+    retryS: connection.retryInS, heardS: (performance.now() - (connection.heardAt ?? 0)) / 1000,
+  }), { mayAct: access.mayCall });
+  showMoment(place);
+}
+
+/** What is not of this moment says so. */
+function showMoment(place) {
+  const isLost = byId("status").dataset.connection !== "open" && known.state;
+  byId("moment").hidden = !place && !isLost;
+  if (place) setText(byId("moment"), `As it was at ${clockText(place.tick, known.hello.tick_hz)}`);
+  else if (isLost) setText(byId("moment"), "As it was when the connection was lost");
 }
 
 // --- Start.
@@ -283,7 +400,7 @@ for (const error of earlyRefusals) access.refused(error);
 takeHello(await firstHello);
 connection.follow("model", { max_hz: 2 });
 connection.follow("state", { max_hz: 30 });
-stage.choose(scene instanceof NoScene ? "paper" : "solid");
+setInterval(showStatus, 1000);
 connection.follow("image", { max_hz: 10, encoding: "rle" });
 connection.follow("line");
 connection.follow("event");
@@ -297,4 +414,8 @@ window.xr3 = {
   tipDrawn: () => scene.tipDrawn(),
   blockDrawn: (name) => scene.blockDrawn(name),
   paperDraws: () => paper.draws,
+  isIdle: () => mover.isIdle,
+  lock: (reason) => lock.set("test", reason),
+  hand: () => handOf(known.model.robot, known.state.joints.map(({ value }) => value)),
+  isGhostShown: () => scene.ghost.group.visible,
 };

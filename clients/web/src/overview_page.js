@@ -1,8 +1,8 @@
 // The page `/` of a server with several cells: the overview. It uses the channel `overview`, the calls
 // `cells` and `get model`, and no other.
-import { connection, earlyRefusals, firstHello, showConnection } from "./start.js";
+import { connection, earlyRefusals, firstHello, onConnection } from "./start.js";
 import { Access } from "./panels/access.js";
-import { Alarm } from "./panels/alarm.js";
+import { Messages } from "./panels/messages.js";
 import { ControlLock } from "./panels/control_lock.js";
 import { byId, setText } from "./lib/dom.js";
 import { isOverview } from "./lib/place.js";
@@ -16,8 +16,8 @@ byId("overview").hidden = false;
 document.title = "All robots – xr3";
 setText(byId("robot-name"), "all robots");
 
-const alarm = new Alarm({ line: byId("alarm"), places: [byId("overview-message")] });
-const showError = (error) => alarm.showMessage(textOf(error));
+const messages = new Messages(byId("overview-message"));
+const showError = (error) => messages.show(textOf(error));
 const access = new Access({
   connection, lock: new ControlLock(), onError: showError, onUnlocked: () => location.reload(),
 });
@@ -36,11 +36,11 @@ function takeHello(hello) {
 const takers = {
   hello: takeHello,
   overview: (message) => overview.take(message),
-  bye: (message) => alarm.showMessage(message.message),
+  bye: (message) => messages.show(message.message),
   result: ({ error }) => error && showError(error),
 };
 
-connection.handlers = { onMessage: (message) => takers[message.op]?.(message), onStatus: showConnection, onTokenRefused: (error) => access.refused(error) };
+connection.handlers = { onMessage: (message) => takers[message.op]?.(message), onStatus: onConnection, onTokenRefused: (error) => access.refused(error) };
 for (const error of earlyRefusals) access.refused(error);
 takeHello(await firstHello);
 connection.follow("overview", { max_hz: 4 });

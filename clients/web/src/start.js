@@ -5,11 +5,13 @@ import { cellOfPath, pathOfCell } from "./lib/place.js";
 import { kept, takeFromAddress } from "./lib/token.js";
 import "./lib/theme.js";
 
-const kStatus = { open: "connected", silent: "the server does not answer, trying again", lost: "connection lost, trying again" };
+const kWords = { open: "Connected", silent: "No connection", lost: "No connection" };
 
-export function showConnection(status) {
-  byId("connection").dataset.state = status;
-  setText(byId("connection"), kStatus[status]);
+/** Notes the state of the connection; a page of a cell shows its status in place of the word. */
+export function onConnection(status) {
+  byId("status").dataset.connection = status;
+  byId("status").dataset.kind = status === "open" ? "ready" : "lost";
+  setText(byId("status-word"), kWords[status]);
 }
 
 /** Refusals of the token before a page could show them. */
@@ -20,7 +22,7 @@ let greet;
 export const firstHello = new Promise((resolve) => (greet = resolve));
 
 export const connection = new Connection(`ws://${location.host}/ws`, {
-  onMessage: (message) => message.op === "hello" && greet(message), onStatus: showConnection, onTokenRefused: (error) => earlyRefusals.push(error),
+  onMessage: (message) => message.op === "hello" && greet(message), onStatus: onConnection, onTokenRefused: (error) => earlyRefusals.push(error),
 });
 const asked = new URLSearchParams(location.search).get("cell");
 if (asked) history.replaceState(null, "", pathOfCell(asked) + location.hash);

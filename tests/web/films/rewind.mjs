@@ -1,7 +1,7 @@
 // Makes the frames of docs/rewind.gif: a program has put a block down; one looks back, takes the robot to the moment
 // in which it held the block, and puts it elsewhere. A frame is NNNN.png; the file `delays` has its duration in 1/100 s.
 // Usage: node rewind.mjs FRAMES_FOLDER, with XR3 set to the path of the executable.
-import { close, open, ready, root, serve, type } from "../bench.mjs";
+import { close, open, openTimeBar, ready, root, serve, type } from "../bench.mjs";
 import { film, runPython } from "./film.mjs";
 
 const [frames] = process.argv.slice(2);
@@ -33,7 +33,7 @@ await runPython(`${root}clients/python/5_pick_and_place.py`, server.robot, () =>
 await server.rest();
 await pause(500);
 
-await page.click("#rewind");
+await openTimeBar(page);
 await page.waitForSelector("#past-slider:enabled");
 await pause(1200);
 const last = Number(await page.getAttribute("#past-slider", "max"));

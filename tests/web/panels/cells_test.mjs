@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { connect } from "node:net";
 import { after, test } from "node:test";
-import { close, ofThePage, open, ready, serve, type } from "../bench.mjs";
+import { close, ofThePage, open, ready, serve, showsCount, type } from "../bench.mjs";
 import { ask } from "./class.mjs";
 
 after(close);
@@ -45,11 +45,10 @@ test("the overview shows each robot; a card opens its page, which moves that rob
     await ready(page);
     assert.equal(page.url(), `${server.url}cell/2`);
     assert.match(await page.textContent("#robot-name"), /^2: Rhino XR-3/);
-    await page.waitForFunction(() => document.querySelector("tr[data-label=F] .count").textContent === "40");
-    await page.click("#tab-console");
+    await showsCount(page, "F", 40);
     await page.fill("#console-input", "E+13");
     await page.keyboard.press("Enter");
-    await page.waitForFunction(() => document.querySelector("tr[data-label=E] .count").textContent === "13");
+    await showsCount(page, "E", 13);
     assert.deepEqual(await counts(server, "2"), [40, 13, 0, 0, 0]);
     for (const other of ["1", "3"]) assert.deepEqual(await counts(server, other), [0, 0, 0, 0, 0], other);
     assert.match(await page.textContent("#wire"), /E\+13/);
@@ -57,7 +56,7 @@ test("the overview shows each robot; a card opens its page, which moves that rob
     await page.click("#record");
     await page.waitForFunction(() => window.xr3.teach.points[0]?.joints.F === 40);
     await page.click("#home");
-    await page.waitForFunction(() => document.querySelector("tr[data-label=F] .count").textContent === "0");
+    await showsCount(page, "F", 0);
     await page.click("#all-cells");
     await page.waitForSelector(".card");
     assert.equal(page.url(), server.url);
@@ -83,7 +82,7 @@ test("with a robot for each connection, cards appear with their peers", () =>
     await page.waitForSelector(".card[data-cell='c1'] .peer:has-text('127.0.0.1:')");
     await page.click(".card[data-cell='c1'] a");
     await ready(page);
-    await page.waitForFunction(() => document.querySelector("tr[data-label=F] .count").textContent === "40");
+    await showsCount(page, "F", 40);
     line.destroy();
   }));
 

@@ -24,11 +24,11 @@ async function record(page, server, bytes, times = 1) {
   }
 }
 
-test("jog buttons stand beside the points, and a point has the pose of its moment", () =>
+test("a point has the pose of its moment", () =>
   withPage(["--clock", "real:20"], async (page, server) => {
     await page.click("#tab-teach");
     assert.match(await page.textContent("#points-empty"), /Jog the arm/);
-    await page.locator("#teach-panel [aria-label^='shoulder'][aria-label$='up']").focus();
+    await page.fill("#joints [data-label=E] .value", "-89");
     await page.keyboard.press("Enter");
     await page.waitForFunction(() => window.xr3.known.state.joints[1].count >= 5 && !window.xr3.known.state.moving);
     await record(page, server, "");
@@ -37,8 +37,6 @@ test("jog buttons stand beside the points, and a point has the pose of its momen
     const shown = await page.locator("#points td").allTextContents();
     const { joints, tool } = await server.state();
     assert.deepEqual(shown.slice(1, 7).map((text) => parseFloat(text.replace("−", "-"))), [...joints, tool].map(({ value }) => Number(value.toFixed(1))));
-    await page.click("#tab-console");
-    assert.ok(await page.isVisible("#console-panel #jog"));
   }));
 
 test("values in the table are the server's, for every robot", async () => {
@@ -86,7 +84,7 @@ test("points survive a reload, each robot has its own", () =>
     await page.reload();
     await ready(page);
     assert.deepEqual(await points(page), before);
-    assert.deepEqual(await page.evaluate(() => Object.keys(localStorage)), ["xr3-points Rhino XR-3"]);
+    assert.deepEqual(await page.evaluate(() => Object.keys(localStorage).filter((key) => key.startsWith("xr3-points"))), ["xr3-points Rhino XR-3"]);
   }));
 
 const kOld = JSON.stringify({ format: "xr3-points", version: 1, robot: "Rhino XR-3",
@@ -134,7 +132,7 @@ test("next goes step by step, and go to it to the chosen point", () =>
   }));
 
 test("Stop stops the arm on its way, and the message tells where", () =>
-  withPage(["--clock", "real:0.5"], async (page, server) => {
+  withPage(["--clock", "real:0.1"], async (page, server) => {
     await record(page, server, "F+120\r");
     await type(server.robot, "F-120\r");
     await server.rest();

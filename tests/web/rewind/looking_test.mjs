@@ -1,12 +1,12 @@
 // The time bar in Chromium: looking at the past, the way back, and what the page must not do meanwhile.
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
-import { type } from "../bench.mjs";
+import { openOld, type } from "../bench.mjs";
 import { close, countAt, kEvents, pass, until, withPast } from "./played_past.mjs";
 
 after(close);
 
-const count = "tr[data-label=F] .count";
+const count = "#joints [data-label=F] .count";
 const shows = (page, text) => page.waitForFunction(([selector, wanted]) => document.querySelector(selector).textContent === wanted, [count, String(text)]);
 const looksAt = (page, text) => page.waitForFunction((wanted) => document.querySelector("#past-at").textContent === wanted, text);
 const isLive = (page) => page.waitForFunction(() => document.querySelector("#past-notice").dataset.kind === "hint" && !window.xr3.known.past);
@@ -107,7 +107,6 @@ test("many events have few marks, and a mark keeps the focus while the history g
 
 test("while the page shows the past, nothing that changes the robot can be pressed, and its title tells why", () =>
   withPast(["--clock", "manual"], async (page) => {
-    await page.click("#tab-console");
     const controls = ["#home", "#reset", "#pause", "#console-input", "#console-form button", "#jog button >> nth=0", "#inputs button >> nth=0", "#status-option", "#step"];
     const titles = async () => Promise.all(controls.map((each) => page.locator(each).getAttribute("title")));
     const before = await titles();
@@ -121,8 +120,10 @@ test("while the page shows the past, nothing that changes the robot can be press
     await page.click("#tab-teach");
     assert.equal(await page.isDisabled("#record"), true);
     assert.match(await page.getAttribute("#record", "title"), /^You look at the past/);
+    await openOld(page);
     await page.keyboard.press("h");
     await page.waitForSelector("#message:has-text('You look at the past')");
+    await page.click("#old-close");
     for (const each of ["#past-live", "#past-seek", "#past-branch"]) assert.equal(await page.isEnabled(each), true, each);
     await page.click("#past-live");
     await page.waitForSelector("#home:enabled");
@@ -215,8 +216,8 @@ test("the blocks of the past are shown, and then those of the present again", ()
 
 test("a jog button that is held does not go on under the lock", () =>
   withPast(["--clock", "real:0.5"], async (page, played, server) => {
-    await page.click("#tab-console");
-    await page.hover("#jog button[aria-label^='base'][aria-label$='up']");
+    await page.click("#jog-step button:has-text('hold')");
+    await page.hover("#jog button[aria-label='y plus']");
     await page.mouse.down();
     await page.waitForFunction(() => window.xr3.known.state.joints[0].count > 3);
     await page.$eval(slider, (each) => {
@@ -233,7 +234,7 @@ test("a jog button that is held does not go on under the lock", () =>
 
 test("the wire frames of the past leave no path", () =>
   withPast(["--clock", "manual"], async (page) => {
-    await page.click("#view-paper");
+    await openOld(page);
     await page.keyboard.press("p");
     await page.waitForFunction(() => window.xr3.known.display?.erase === false);
     const frames = () => page.evaluate(() => window.xr3.paper.frames.length);
@@ -255,7 +256,7 @@ test("a lost connection ends the look", () =>
     await page.keyboard.press("Home");
     await looksAt(page, "0:00.000 of epoch 0.");
     played.cut();
-    await page.waitForFunction((before) => document.querySelector("#connection").dataset.state === "open" && !document.querySelector("#home").disabled, null);
+    await page.waitForFunction((before) => document.querySelector("#status").dataset.connection === "open" && !document.querySelector("#home").disabled, null);
     await isLive(page);
     assert.equal(played.sockets, 2);
   }));

@@ -1,7 +1,7 @@
 // A past for tests of the time bar: the page's connection goes to a real server, but the calls of rewind are answered here,
 // with frames of that server in which the first joint tells the moment.
 import assert from "node:assert/strict";
-import { close, kDeadlineMs, leavePage, ofThePage, open, ready, serve, takePage } from "../bench.mjs";
+import { close, kDeadlineMs, leavePage, ofThePage, open, openTimeBar, ready, serve, takePage } from "../bench.mjs";
 
 const kChannels = new Set(["state", "model", "image", "display"]);
 
@@ -112,7 +112,7 @@ export async function withPast(options, act, { playsClock = false, picture = fal
     if (playsClock) await page.clock.install();
     await page.goto(server.url);
     await ready(page);
-    await page.click("#rewind");
+    await openTimeBar(page);
     await page.waitForFunction(() => document.querySelector("#past-slider").max === "40000");
     await act(page, played, server);
     assert.deepEqual(ofThePage(page), []);

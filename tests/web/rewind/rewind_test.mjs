@@ -2,12 +2,12 @@
 // does with a server that is played: looking_test.mjs and taken_back_test.mjs.)
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
-import { close, kDeadlineMs, ofThePage, open, ready, serve, type, withPage } from "../bench.mjs";
+import { close, kDeadlineMs, ofThePage, open, openTimeBar, ready, serve, type, withPage } from "../bench.mjs";
 
 after(close);
 
 const slider = "#past-slider";
-const count = "tr[data-label=F] .count";
+const count = "#joints [data-label=F] .count";
 const shows = (page, value) => page.waitForFunction(([selector, wanted]) => document.querySelector(selector).textContent === wanted, [count, String(value)]);
 const kind = (page, wanted) => page.waitForSelector(`#past-notice[data-kind=${wanted}]`);
 
@@ -24,7 +24,7 @@ async function moveTwice(page, server) {
 
 /** Opens the bar and looks at a tick of the first epoch. */
 async function lookAt(page, tick) {
-  await page.click("#rewind");
+  await openTimeBar(page);
   await page.waitForSelector(`${slider}:enabled`);
   await lookAtOpen(page, tick);
 }
@@ -62,7 +62,7 @@ test("a grasped block and a stall have marks, and a click looks there", () =>
       await type(server.robot, "E-120\r");
       await server.rest();
     }
-    await page.click("#rewind");
+    await openTimeBar(page);
     await page.click(".event-mark[data-kind=stall]");
     await kind(page, "look");
     await page.waitForFunction(() => window.xr3.known.past?.stalled);
@@ -121,7 +121,7 @@ test("the link to a branch has the page's own host, and its token on a private s
   await ready(page);
   await page.evaluate(() => window.xr3.call("send", { text: "F+40\r" }));
   await shows(page, 40);
-  await page.click("#rewind");
+  await openTimeBar(page);
   await page.waitForSelector(`${slider}:enabled`);
   await page.focus(slider);
   await page.keyboard.press("ArrowLeft"); // after the command, perhaps before the end of the motion
@@ -144,7 +144,7 @@ test("the link to a branch has the page's own host, and its token on a private s
 
 test("without a history the bar says how to get one", () =>
   withPage(["--history", "0"], async (page) => {
-    await page.click("#rewind");
+    await openTimeBar(page);
     await kind(page, "trouble");
     assert.match(await page.textContent("#past-what"), /keeps no history.*--history 1h/);
     assert.equal(await page.isDisabled(slider), true);

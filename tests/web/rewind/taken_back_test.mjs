@@ -2,6 +2,7 @@
 // no history.
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
+import { openTimeBar } from "../bench.mjs";
 import { close, pass, until, withPast } from "./played_past.mjs";
 
 after(close);
@@ -122,6 +123,7 @@ test("the history is asked for while the bar is open and seen, at most every two
       for (let i = 0; i < 3; ++i) await pass(page, 2000);
       return asked() - before;
     };
+    await page.focus("#past-slider"); // it is used
     const open = await inThreePeriods();
     assert.ok(open >= 3 && open <= 4, String(open)); // the test itself takes some time
     await page.evaluate(() => Object.defineProperty(document, "hidden", { configurable: true, value: true }));
@@ -131,10 +133,11 @@ test("the history is asked for while the bar is open and seen, at most every two
     assert.equal(await inThreePeriods(), 0, "closed");
     await page.clock.pauseAt(new Date(Date.now() + 3_600_000));
     const before = asked();
-    await page.click("#rewind");
+    await openTimeBar(page);
     await until(() => asked() > before);
     await page.evaluate(() => window.xr3.call("fault_list"));
     const opened = asked();
+    await page.click("#more-button");
     await page.click("#reset");
     await until(() => asked() === opened + 1);
   }, { playsClock: true }));

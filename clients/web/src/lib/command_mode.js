@@ -1,5 +1,5 @@
-// Command mode as in the paper's Table IV: functions on Alt F1...F6 and a menu on Alt keypad-minus.
-// Plain keys and buttons do the same, since desktops reserve some of the Alt keys.
+// Command mode as in the paper's Table IV: functions on Alt F1...F6 and a menu on Alt keypad-minus, which is the drawer "As in 1989".
+// While it is open, plain keys do the same, since desktops reserve some of the Alt keys.
 
 /** Each function: its keys, and `now`, the text of its current value. */
 export const kFunctions = [
@@ -31,27 +31,24 @@ function leaveListsAfterTheMouse() {
 }
 
 export class CommandMode {
-  /** `run(name)` runs a function; `toggleMenu()` shows or hides the menu. */
-  constructor({ run, toggleMenu, known }) {
-    Object.assign(this, { run, toggleMenu, known });
+  /** `run(name)` runs a function; `old` is the drawer. */
+  constructor({ run, old, known }) {
+    Object.assign(this, { run, old, known });
     document.addEventListener("keydown", (event) => this.#key(event));
     leaveListsAfterTheMouse();
   }
 
   #key(event) {
     if (event.altKey) return this.#altKey(event);
-    const dialog = document.querySelector("dialog[open]");
-    const isElsewhere = isTyping(event.target) || (dialog && dialog.id !== "menu");
-    if (event.ctrlKey || event.metaKey || isElsewhere) return;
-    if (event.key === "m") return this.#take(event, () => this.toggleMenu());
-    // While the menu is open the function keys need no Alt.
-    const wanted = kFunctions.find((each) => each.key === event.key || (dialog && each.alt === event.key));
+    const isElsewhere = isTyping(event.target) || document.querySelector("dialog[open]");
+    if (!this.old.isOpen || event.ctrlKey || event.metaKey || isElsewhere) return;
+    const wanted = kFunctions.find((each) => each.key === event.key || each.alt === event.key);
     if (wanted) this.#take(event, () => this.run(wanted.name));
   }
 
   // F6 disables all other function keys, but not itself.
   #altKey(event) {
-    if (event.code === "NumpadSubtract") return this.#take(event, () => this.toggleMenu());
+    if (event.code === "NumpadSubtract") return this.#take(event, () => this.old.toggle());
     const wanted = kFunctions.find((each) => each.alt === event.key);
     if (!wanted) return;
     const isOff = this.known.display?.function_keys === false && wanted.name !== "function_keys";

@@ -33,8 +33,20 @@ export class Connection {
     setInterval(() => this.#askIfQuiet(), kQuietMs);
   }
 
+  /** Seconds until the next attempt to connect; null while there is none to wait for. */
+  get retryInS() {
+    return this.socket || !this.retryAt ? null : Math.max(0, (this.retryAt - performance.now()) / 1000);
+  }
+
+  /** Tries to connect at once. */
+  retry() {
+    if (this.socket) return;
+    clearTimeout(this.retryTimer);
+    this.open();
+  }
+
   open() {
-    this.heardAt = performance.now();
+    this.openedAt = performance.now();
     this.socket = new WebSocket(this.url, "xr3.v1");
     this.socket.onmessage = ({ data }) => this.#take(JSON.parse(data));
     this.socket.onclose = () => this.#lost("lost");
@@ -49,14 +61,15 @@ export class Connection {
     }
     this.pending.clear();
     this.handlers.onStatus(status);
-    setTimeout(() => this.open(), this.retryMs);
+    this.retryAt = performance.now() + this.retryMs;
+    this.retryTimer = setTimeout(() => this.open(), this.retryMs);
     this.retryMs = Math.min(this.retryMs * 1.6, kMaxRetryMs);
   }
 
   // --- Keep-alive: a cut network or a hanging server does not close the socket.
 
   #askIfQuiet() {
-    if (!this.socket || performance.now() - this.heardAt < kQuietMs) return;
+    if (!this.socket || performance.now() - Math.max(this.heardAt ?? 0, this.openedAt) < kQuietMs) return;
     if (!this.isGreeted) return this.#giveUp();
     this.request({ op: "ping" }, { withinMs: kPongWithinMs }).catch((error) => error.isTimeout && this.#giveUp());
   }

@@ -1,9 +1,13 @@
+// @ts-check
 // DOM helpers shared by the panels.
 
-/** Creates an element: `el("button.small", { onclick }, "Go")`; members `on...` are listeners. */
+/**
+ * Creates an element: `el("button.small", { onclick }, "Go")`; members `on...` are listeners.
+ * @param {string} what @param {Record<string, any>} members @param {(Node | string | null | undefined)[]} children @returns {any}
+ */
 export function el(what, members = {}, ...children) {
   const [name, ...classes] = what.split(".");
-  const element = document.createElement(name || "div");
+  const element = /** @type {any} */ (document.createElement(name || "div"));
   if (classes.length > 0) element.className = classes.join(" ");
   for (const [key, value] of Object.entries(members)) {
     if (key.startsWith("on")) element.addEventListener(key.slice(2), value);
@@ -14,14 +18,15 @@ export function el(what, members = {}, ...children) {
   return element;
 }
 
+/** @param {string} id @returns {any} */
 export const byId = (id) => document.getElementById(id);
 
-/** Sets the text only if it differs, so as not to disturb screen readers and selections. */
+/** Sets the text only if it differs, so as not to disturb screen readers and selections. @param {Element} element @param {string} text */
 export function setText(element, text) {
   if (element.textContent !== text) element.textContent = text;
 }
 
-/** Downloads a text as a file. */
+/** Downloads a text as a file. @param {string} name @param {string} text */
 export function download(name, text, type = "text/plain") {
   const url = URL.createObjectURL(new Blob([text], { type }));
   const link = el("a", { href: url, download: name });
@@ -31,7 +36,7 @@ export function download(name, text, type = "text/plain") {
   setTimeout(() => URL.revokeObjectURL(url), 1000);
 }
 
-/** Copies a text to the clipboard, also on plain http; resolves to whether it succeeded. */
+/** Copies a text to the clipboard, also on plain http; resolves to whether it succeeded. @param {string} text */
 export async function copyText(text) {
   try {
     await navigator.clipboard.writeText(text);
@@ -40,6 +45,7 @@ export async function copyText(text) {
     return copyBySelection(text); // navigator.clipboard exists only on https and localhost
   }
 }
+/** @param {string} text */
 function copyBySelection(text) {
   const before = document.activeElement;
   const area = el("textarea.unseen", { value: text, readOnly: true });
@@ -47,15 +53,17 @@ function copyBySelection(text) {
   area.select();
   const isCopied = document.execCommand("copy");
   area.remove();
-  before?.focus();
+  if (before instanceof HTMLElement) before.focus();
   return isCopied;
 }
 
 /**
  * Calls `act(true)` when a button is pressed by mouse, touch or keyboard, then `act(false)` every
  * `everyMs` while it is held, but never before the previous repeated call has finished.
+ * @param {HTMLButtonElement} button @param {(isFirst: boolean) => unknown} act
  */
 export function whileHeld(button, act, everyMs = 60) {
+  /** @type {ReturnType<typeof setInterval> | null} */
   let timer = null;
   let isUnderWay = false;
   const again = async () => {
@@ -71,7 +79,7 @@ export function whileHeld(button, act, everyMs = 60) {
   const start = () => {
     if (timer || button.disabled) return;
     act(true);
-    timer = setInterval(() => (button.isConnected ? again() : stop()), everyMs);
+    timer = setInterval(() => (button.isConnected && !button.disabled ? again() : stop()), everyMs);
   };
   button.addEventListener("pointerdown", (event) => {
     if (event.button === 0) start();
@@ -86,5 +94,5 @@ export function whileHeld(button, act, everyMs = 60) {
   });
 }
 
-/** Whether two values have the same JSON text. */
+/** Whether two values have the same JSON text. @param {unknown} a @param {unknown} b */
 export const isSame = (a, b) => JSON.stringify(a) === JSON.stringify(b);

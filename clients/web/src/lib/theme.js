@@ -1,5 +1,6 @@
-// Light or dark: as the system prefers, until the button is pressed.
+// Light or dark: as the system prefers, until the user chooses; the choice is remembered.
 import { byId } from "./dom.js";
+import { recall, remember } from "./memory.js";
 
 const listeners = new Set();
 const prefersDark = matchMedia("(prefers-color-scheme: dark)");
@@ -16,6 +17,14 @@ export function onTheme(listener) {
   listener(dataset.theme);
 }
 
-byId("theme").onclick = () => setTheme(dataset.theme === "dark" ? "light" : "dark");
-prefersDark.addEventListener("change", ({ matches }) => setTheme(matches ? "dark" : "light"));
-setTheme(prefersDark.matches ? "dark" : "light");
+const usual = () => (prefersDark.matches ? "dark" : "light");
+
+function choose() {
+  const name = dataset.theme === "dark" ? "light" : "dark";
+  remember("theme", name);
+  setTheme(name);
+}
+
+for (const id of ["theme", "theme-too"]) byId(id).onclick = choose;
+prefersDark.addEventListener("change", () => recall("theme", "") || setTheme(usual()));
+setTheme(recall("theme", "") === "dark" ? "dark" : recall("theme", "") === "light" ? "light" : usual());

@@ -1,5 +1,5 @@
-// Executes the functions of command mode as calls (those that need a value ask for it) and shows
-// the menu of functions with their current values. command_mode.js maps keys to functions.
+// Executes the functions of command mode as calls (those that need a value ask for it) and lists them
+// with their current values. command_mode.js maps keys to functions.
 import { kFunctions, kStatusNames } from "../lib/command_mode.js";
 import { byId, el, setText } from "../lib/dom.js";
 
@@ -11,7 +11,6 @@ export class CommandMenu {
   constructor({ known, call, lock, showMessage }) {
     Object.assign(this, { known, call, lock, showMessage });
     this.asks = { home: () => call("home"), view: () => this.#askView(), status: () => this.#nextStatus(), period: () => this.#nextPeriod() };
-    byId("menu-button").onclick = () => this.toggle();
     byId("functions").replaceChildren(...kFunctions.map((each) => this.#entry(each)));
   }
 
@@ -22,13 +21,6 @@ export class CommandMenu {
     else this.#key(name);
   }
 
-  toggle() {
-    const menu = byId("menu");
-    if (menu.open) return menu.close();
-    this.show();
-    menu.showModal();
-  }
-
   show() {
     const { display, state } = this.known;
     for (const each of kFunctions) setText(byId("functions").querySelector(`[data-now=${each.name}]`), each.now(display, state));
@@ -36,7 +28,7 @@ export class CommandMenu {
 
   #entry({ name, title, key, alt }) {
     return el("li", {}, el("button", { type: "button", "data-call": "key", onclick: () => this.run(name) },
-      el("span", {}, title), el("span.now", { "data-now": name }), el("kbd", {}, `${key}${alt ? `  Alt ${alt}` : ""}`)));
+      el("kbd", {}, key), el("span", {}, title), el("span.now", { "data-now": name }), el("span.alt", {}, alt ? `Alt ${alt}` : "")));
   }
 
   #key(name, value) {

@@ -20,7 +20,7 @@ export class TimeBar {
   }
 
   setState({ clock, tick }) {
-    setText(byId("pause"), clock.mode === "manual" ? "Resume" : "Pause");
+    this.#showPause(clock.mode === "manual");
     this.#showRate(clock.rate);
     this.#showTick(this.known.past?.tick ?? tick);
     this.allow();
@@ -31,6 +31,16 @@ export class TimeBar {
     byId("rate").disabled = this.known.state?.clock.mode === "bytes" || !this.lock.isFree;
     byId("step").disabled = this.known.state?.clock.mode === "real" || !this.lock.isFree;
     byId("step").title = this.lock.reason ?? kStepTitle;
+  }
+
+  #showPause(isPaused) {
+    const button = byId("pause");
+    const name = isPaused ? "Continue" : "Pause time";
+    button.classList.toggle("primary", isPaused);
+    if (button.ariaLabel === name) return;
+    button.ariaLabel = name;
+    if (!this.lock.reason) button.title = name;
+    button.querySelector("use").setAttribute("href", isPaused ? "#i-go" : "#i-pause");
   }
 
   #showRate(wanted) {

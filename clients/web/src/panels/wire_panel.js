@@ -1,6 +1,6 @@
 // The wire panel: every byte sent and received, by line, with its explanation, as in a serial
 // analyser.
-import { copyText, download, el, setText } from "../lib/dom.js";
+import { byId, copyText, download, el, setText } from "../lib/dom.js";
 import { counted, isOfDevice, isWarning, transcriptLine } from "../lib/wire_text.js";
 
 const kMaxRows = 1024;
@@ -27,6 +27,29 @@ export class WirePanel {
     this.isPaused = false;
     this.waiting = [];
     filter.addEventListener("input", () => this.#refresh());
+    this.follows = true; // the bottom of the list, until the user scrolls up
+    list.addEventListener("scroll", () => list.offsetParent && (this.follows = list.scrollHeight - list.scrollTop - list.clientHeight < 40));
+    this.#connectButtons();
+  }
+
+  #connectButtons() {
+    byId("wire-pause").onclick = ({ target }) => {
+      this.setPaused(!this.isPaused);
+      target.setAttribute("aria-pressed", String(this.isPaused));
+      setText(target, this.isPaused ? "Resume" : "Pause");
+    };
+    byId("wire-clear").onclick = () => this.clear();
+    byId("wire-copy").onclick = () => this.copy();
+    byId("wire-save").onclick = () => this.save();
+    this.sourceButton.onclick = () => {
+      this.setSource(null);
+      this.filter.focus();
+    };
+  }
+
+  /** The panel is in sight again. */
+  show() {
+    if (this.follows) this.list.scrollTop = this.list.scrollHeight;
   }
 
   take(message) {
@@ -120,10 +143,9 @@ export class WirePanel {
 
   #append(row) {
     const { list } = this;
-    const atEnd = list.scrollHeight - list.scrollTop - list.clientHeight < 40;
     list.append(row);
     while (list.children.length > kMaxRows) list.firstChild.remove();
-    if (atEnd) list.scrollTop = list.scrollHeight;
+    this.show();
   }
 
   #matches(message) {
@@ -164,7 +186,7 @@ export class WirePanel {
   }
   #countText() {
     const all = counted(this.messages.filter((message) => !message.note).length, "message");
-    if (this.messages.length === 0) return this.isPaused ? all : "No bytes yet: connect to the robot port or use the console.";
+    if (this.messages.length === 0) return this.isPaused ? all : "No bytes yet: connect to the robot port, or send a command below.";
     return this.filter.value.trim() || this.source ? `${this.list.querySelectorAll("li:not(.lag, .mark, .warning)").length} of ${all}` : all;
   }
 

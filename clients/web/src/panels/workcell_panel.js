@@ -2,14 +2,15 @@
 // change is a call to the server; a refused change is reverted.
 import { BlockTable } from "./block_table.js";
 import { ChosenBlock, placeText } from "./chosen_block.js";
-import { el, setText } from "../lib/dom.js";
+import { byId, el, setText } from "../lib/dom.js";
 import { freePlace } from "../lib/free_place.js";
 import { baseShift, mmPerUnit } from "../lib/kinematics.js";
-import { kColorNames } from "../lib/palette.js";
+import { colorOf, kColorNames } from "../lib/palette.js";
 import { Plan } from "./plan.js";
 import { WorkcellFile } from "./workcell_file.js";
 
 const kUsualColor = 10;
+const kTurnDegrees = 5;
 
 /** Centre and radius of the carousel in mm, or null. */
 function tableOf({ carousel, ...robot }) {
@@ -35,6 +36,7 @@ export class WorkcellPanel {
     this.table = new BlockTable(part("blocks"), { onChoose: (name) => this.choose(name) });
     this.chosenBlock = new ChosenBlock({ text: part("chosen"), form: part("place-form"), place: (name, change) => this.place(name, change) });
     this.file = new WorkcellFile({ problems: part("workcell-problems"), call, getModel, onError });
+    connectButtons(this);
   }
 
   setModel(model) {
@@ -158,5 +160,33 @@ export class WorkcellPanel {
 }
 
 /** <option> elements for the sixteen colours, by name. */
-export const colorOptions = () =>
+const colorOptions = () =>
   kColorNames.map((name, i) => el("option", { value: String(i), selected: i === kUsualColor }, name));
+
+/** Connects the buttons of the workcell panel. */
+function connectButtons(workcell) {
+  connectColorChoice();
+  byId("turn-left").onclick = () => workcell.turn(kTurnDegrees);
+  byId("turn-right").onclick = () => workcell.turn(-kTurnDegrees);
+  byId("block-remove").onclick = () => workcell.remove();
+  byId("block-form").onsubmit = async (event) => {
+    event.preventDefault();
+    const size = byId("block-size").value.trim().split(/\s+/).map(Number);
+    const isAdded = await workcell.add({ name: byId("block-name").value.trim(), size, color: Number(byId("block-color").value) });
+    if (isAdded) byId("block-name").value = "";
+  };
+  byId("workcell-save").onclick = () => workcell.save();
+  byId("workcell-load").onchange = async ({ target }) => {
+    if (target.files[0]) await workcell.load(target.files[0]);
+    target.value = "";
+  };
+}
+
+// Not every browser shows colours in a <select>: a swatch beside it shows the selected colour.
+function connectColorChoice() {
+  const choice = byId("block-color");
+  const show = () => (byId("block-swatch").style.background = colorOf(Number(choice.value)));
+  choice.replaceChildren(...colorOptions());
+  choice.onchange = show;
+  show();
+}

@@ -4,7 +4,6 @@ import { byId, el, setText } from "../lib/dom.js";
 import { pathOfCell } from "../lib/place.js";
 import { placeText, timeText } from "./axis.js";
 
-const kHint = "Drag the slider, or press a mark, to look at the past. The robot goes on meanwhile.";
 
 /** The sentences for what is shown; `rest` follows the time. */
 function sentencesOf({ place, present, trouble }) {
@@ -15,7 +14,7 @@ function sentencesOf({ place, present, trouble }) {
       rest: "programs wait. Resume drops what came after.",
     };
   }
-  return { what: trouble ?? kHint, at: "", rest: "" };
+  return { what: trouble ?? "", at: "", rest: "" };
 }
 
 const goesOn = ({ isPast, mode }) =>
@@ -44,6 +43,7 @@ export class PastNotice {
     setText(byId("past-what"), what);
     setText(byId("past-at"), at);
     setText(byId("past-rest"), rest);
+    byId("past-what").parentElement.hidden = !what;
     byId("past-notice").dataset.kind = place ? "look" : present.isPast ? "past" : trouble ? "trouble" : "hint";
     const isShown = {
       "past-live": place, "past-seek": place, "past-branch": place, "past-resume": !place && present.isPast,

@@ -2,12 +2,15 @@
 // controls that change the robot while the page shows the past, or while the robot itself is there.
 import { isTyping } from "../lib/command_mode.js";
 import { byId } from "../lib/dom.js";
+import { recall, remember } from "../lib/memory.js";
 import { textOf } from "../lib/refusal.js";
 import { HistoryBar } from "./history_bar.js";
 import { Past } from "./past.js";
 import { PastNotice } from "./past_notice.js";
 
-const kEveryMs = 2000;
+const kEveryMs = 2000; // while the bar is used
+const kIdleEveryMs = 20_000;
+const kHasRoom = matchMedia("(min-width: 1200px) and (min-height: 701px)");
 const kLooking = "You look at the past. Press Live, or Escape, to steer the robot.";
 const kTakenBack = "The robot was taken back in time. Press Resume first.";
 const kLeadsOut = "[data-call=past]"; // controls that lead out of the past
@@ -30,19 +33,26 @@ export class Rewind {
       live: () => this.past.live(), goOn: (place) => this.past.seek(place), branch: () => this.#branch(), resume: () => this.past.resume(),
       forward: () => this.past.seek(this.bar.axis.endBefore()), open: () => this.#open(true),
     });
-    byId("rewind").onclick = () => this.#open(byId("past-bar").hidden);
+    this.isBarOpen = recall("timebar", kHasRoom.matches);
+    byId("rewind").setAttribute("aria-expanded", String(this.isBarOpen));
+    for (const id of ["rewind", "rewind-too"]) byId(id).onclick = () => this.#toggle();
     addEventListener("keydown", (event) => this.#key(event));
     document.addEventListener("visibilitychange", () => this.#pass());
     setInterval(() => this.#pass(), kEveryMs);
     this.#show();
   }
 
-  get #isShown() {
-    return !byId("past-bar").hidden;
+  get #isUsed() {
+    return this.past.place !== null || this.present.isPast || byId("past").matches(":hover, :focus-within");
+  }
+
+  #toggle() {
+    remember("timebar", !this.isBarOpen);
+    this.#open(!this.isBarOpen);
   }
 
   #open(isOpen) {
-    byId("past-bar").hidden = !isOpen;
+    this.isBarOpen = isOpen;
     byId("rewind").setAttribute("aria-expanded", String(isOpen));
     if (isOpen) this.past.refresh();
     else this.past.live();
@@ -72,11 +82,18 @@ export class Rewind {
 
   /** Takes an event: after a new epoch the history is another one. */
   note({ event }) {
-    if (event === "epoch" && (this.#isShown || this.past.place || this.present.isPast)) this.past.refresh({ isNews: true });
+    if (event === "epoch" && (this.isBarOpen || this.past.place || this.present.isPast)) this.past.refresh({ isNews: true });
   }
 
   #pass() {
-    if (this.#isShown && !document.hidden && this.isConnected() && !this.past.isWithout) this.past.refresh();
+    if (this.isBarOpen && !document.hidden && this.isConnected() && !this.past.isWithout && this.#isDue()) this.past.refresh();
+  }
+
+  #isDue() {
+    const now = performance.now();
+    if (!this.#isUsed && now - (this.passedAt ?? -kIdleEveryMs) < kIdleEveryMs) return false;
+    this.passedAt = now;
+    return true;
   }
 
   // --- What is shown.
@@ -89,8 +106,8 @@ export class Rewind {
     this.bar.setPlace(this.past.goal);
     const { present } = this;
     const hasEnd = this.bar.axis.endBefore() !== null;
-    this.notice.show({ place, present, trouble: trouble && textOf(trouble), isOpen: this.#isShown, hasEnd });
-    byId("past").hidden = !(this.#isShown || place || present.isPast);
+    this.notice.show({ place, present, trouble: trouble && textOf(trouble), isOpen: this.isBarOpen, hasEnd });
+    byId("past").hidden = !(this.isBarOpen || place || present.isPast);
     this.lock.set("look", place ? kLooking : null, { except: kLeadsOut });
     this.lock.set("past", present.isPast ? kTakenBack : null, { except: kLeadsOutOrOn });
   }

@@ -3,7 +3,10 @@
 
 function release(object) {
   object.geometry?.dispose();
-  for (const material of [object.material ?? []].flat()) material.dispose();
+  for (const material of [object.material ?? []].flat()) {
+    material.map?.dispose();
+    material.dispose();
+  }
 }
 
 /** Removes an object with its descendants from the scene and frees their buffers. */

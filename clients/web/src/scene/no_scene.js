@@ -6,6 +6,7 @@ const kWhy = "3-D is not available: WebGL is off or missing in this browser. The
 
 export class NoScene {
   constructor(host) {
+    this.picking = {};
     host.append(el("p.instead", {}, kWhy));
   }
   setModel() {}
@@ -15,6 +16,12 @@ export class NoScene {
   jump() {}
   clearPath() {}
   lookFrom() {}
+  showGhost() {}
+  holdTip() {}
+  dropTip() {}
+  tipInPicture() {
+    return { x: 0, y: 0 };
+  }
   tipDrawn() {
     return null;
   }

@@ -2,16 +2,20 @@
 // picture, and draws while something changes. Independent of the server. Lengths are in mm, z
 // points up.
 import * as THREE from "three";
+import { AxisLabels } from "./axis_labels.js";
 import { Blocks } from "./blocks.js";
 import { CellMarks } from "./cell_marks.js";
 import { Eye } from "./orbit_camera.js";
 import { cornersIn } from "./frame_camera.js";
 import { Motion } from "./motion.js";
+import { Picking } from "./picking.js";
+import { Ghost } from "./ghost.js";
 import { RobotBody } from "./robot_body.js";
 import { lamps, themes } from "./scene_theme.js";
 import { ToolPath } from "./tool_path.js";
+import { pointUnder, TipBall } from "./tip_ball.js";
 import { Turntable } from "./turntable.js";
-import { baseShift } from "../lib/kinematics.js";
+import { baseShift, mmPerUnit } from "../lib/kinematics.js";
 import { jointLabels } from "../lib/motors.js";
 
 const kMaxPixelRatio = 2;
@@ -46,25 +50,30 @@ export class Scene {
     this.theme = "light";
     this.motion = new Motion();
     this.#addParts();
+    this.#catchTip();
+    this.picking = new Picking(this.renderer.domElement, this.eye.camera, this.blocks.group);
     new ResizeObserver(() => this.#resize()).observe(host);
     this.#resize();
   }
 
   #addParts() {
     this.robot = new RobotBody();
+    this.ghost = new Ghost();
+    this.ball = new TipBall(this.eye.camera);
     this.table = new Turntable();
     this.marks = new CellMarks();
+    this.axes = new AxisLabels();
     this.blocks = new Blocks();
     this.path = new ToolPath();
     this.scene = new THREE.Scene();
-    this.scene.add(...lamps(), this.robot.group, this.table.group, this.marks.group, this.blocks.group, this.path.line);
+    this.scene.add(...lamps(), this.robot.group, this.ghost.group, this.ball.mesh, this.table.group, this.marks.group, this.axes.group, this.blocks.group, this.path.line);
   }
 
   #resize() {
     const { clientWidth: width, clientHeight: height } = this.host;
     if (width === 0 || height === 0) return;
     this.renderer.setSize(width, height);
-    this.eye.setAspect(width / height);
+    this.eye.setSize(width, height);
     this.#lookAgain();
     this.#draw(); // at once, since resizing clears the canvas
   }
@@ -73,6 +82,7 @@ export class Scene {
     this.theme = name;
     this.scene.background = new THREE.Color(themes[name].background);
     this.path.setTheme(name);
+    this.ball.setTheme(name);
     if (this.model) this.setModel(this.model);
     this.#wake();
   }
@@ -91,9 +101,14 @@ export class Scene {
     if (!isSame(this.model?.robot, model.robot)) this.#forget();
     this.model = model;
     this.robot.build(model.robot, this.theme);
+    this.ghost.build(model.robot, this.theme);
     this.table.build(model.robot, this.theme);
     const isNewCell = this.marks.build(model.robot, model.workcell, this.theme);
     this.blocks.setWorkcell(model.workcell, this.theme);
+    const { workspace, work_surface: surface = 0 } = model.workcell;
+    const unit = mmPerUnit(model.workcell);
+    this.picking.surface = surface * unit;
+    this.axes.build({ x: workspace.x * unit, y: workspace.y * unit }, surface * unit, this.theme);
     if (isNewCell) this.#lookAgain();
     this.#wake();
   }
@@ -132,8 +147,69 @@ export class Scene {
     this.table.pose(values[robot.joints.length]);
     this.marks.carryRegion(baseShift(robot, values));
     this.blocks.pose(this.state.blocks, this.robot.toolFrame);
-    this.path.extend(new THREE.Vector3().setFromMatrixPosition(this.robot.toolFrame));
+    const tip = new THREE.Vector3().setFromMatrixPosition(this.robot.toolFrame);
+    this.path.extend(tip);
+    this.ball.pose(this.heldTip ?? tip, this.host.clientHeight);
     return isThere;
+  }
+
+  /** Shows the arm where it would be at these values of its motors, or the nearest place to one that it cannot reach; null hides it. */
+  showGhost(values, isRefused = false) {
+    this.ghost.show(values, isRefused);
+    this.#wake();
+  }
+
+  // --- The ball at the tip. A pointer that catches it moves it, and not the view: `onTipCaught` tells whether it may, `onTipDragged`
+  // gets the point in mm, `onTipReleased` ends.
+
+  #catchTip() {
+    const { domElement: canvas } = this.renderer;
+    this.host.addEventListener("pointerdown", (event) => {
+      if (event.button !== 0 || !this.ball.isCaught(event, canvas.getBoundingClientRect()) || !this.onTipCaught?.()) return;
+      event.stopPropagation();
+      this.host.setPointerCapture(event.pointerId);
+      this.dragFrom = this.ball.mesh.position.clone();
+      this.isUpright = event.shiftKey;
+      this.host.onpointermove = (move) => this.#dragTip(move);
+      this.host.onpointerup = this.host.onpointercancel = () => this.#releaseTip();
+    }, true);
+    canvas.addEventListener("pointermove", (event) => (canvas.style.cursor = this.ball.isCaught(event, canvas.getBoundingClientRect()) ? "grab" : ""));
+  }
+
+  #dragTip({ clientX, clientY, shiftKey }) {
+    const box = this.host.getBoundingClientRect();
+    const at = { x: ((clientX - box.left) / box.width) * 2 - 1, y: 1 - ((clientY - box.top) / box.height) * 2 };
+    if (shiftKey !== this.isUpright) this.dragFrom = this.ball.mesh.position.clone();
+    this.isUpright = shiftKey;
+    const point = pointUnder(at, this.eye.camera, this.dragFrom, shiftKey);
+    if (point) this.onTipDragged?.(point.toArray());
+  }
+
+  #releaseTip() {
+    this.host.onpointermove = this.host.onpointerup = this.host.onpointercancel = null;
+    this.onTipReleased?.();
+  }
+
+  /** Draws the ball at a point in mm, away from the tip, until dropTip(). */
+  holdTip(xyz) {
+    this.heldTip = new THREE.Vector3(...xyz);
+    this.#wake();
+  }
+  dropTip() {
+    this.heldTip = null;
+    this.#wake();
+  }
+
+  /** Where the ball is in the picture, px. */
+  tipInPicture() {
+    this.#pose();
+    return this.ball.placeIn({ width: this.host.clientWidth, height: this.host.clientHeight });
+  }
+
+  /** `onTurn` is called with the axes of the view, see Eye. */
+  set onTurn(onTurn) {
+    this.eye.onTurn = onTurn;
+    this.#lookAgain();
   }
 
   clearPath() {
@@ -141,7 +217,7 @@ export class Scene {
     this.#wake();
   }
 
-  /** `name` is "corner", "front", "left", "right" or "top". */
+  /** `name` is "corner", "front", "back", "left", "right" or "top". */
   lookFrom(name) {
     this.#pose();
     const marks = name === "top" ? this.marks.outlines() : [this.marks.region];

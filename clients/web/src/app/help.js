@@ -1,0 +1,75 @@
+// @ts-check
+// Help: commands of the line, keys, what each status means, and the documentation. The search leaves the rows in
+// which its words occur.
+import commands from "../../../../data/commands.json";
+import { byId, el } from "../lib/dom.js";
+import { remember } from "../lib/memory.js";
+import { areKeysOn } from "./keys.js";
+import { iconOf } from "./status.js";
+
+/** @typedef {import("./keys.js").Key} Key */
+
+const kStatuses = /** @type {[import("./status.js").Kind, string, string][]} */ ([
+  ["ready", "Ready", "It waits for commands."], ["moving", "Moving", "A motor has counts to go."],
+  ["other", "Two programs", "Two lines move one joint."], ["paused", "Paused", "Time stands: Continue."],
+  ["stalled", "Stalled", "It would have hit something: Home."], ["disabled", "Switched off", "It ignores the lines: Switch on."],
+  ["past", "In the past", "You look back: Back to now."], ["lost", "No connection", "The server does not answer."],
+]);
+const kGroups = /** @type {[string, keyof typeof commands][]} */ ([
+  ["Motion", "motion"], ["Switches and lines", "switches_and_lines"], ["Camera, display, settings", "environment"],
+]);
+const kPages = [["tutorial/", "Tutorial: 45 minutes to a picked block"], ["troubleshooting/", "Nothing moves?"], ["viewer/", "This page"],
+  ["own-robot/", "Your own robot"], ["", "All of the documentation"]];
+
+const firstSentence = (/** @type {string} */ text) => text.split(/(?<=\.) /)[0];
+
+/** @param {string} title @param {...Node} rows */
+const section = (title, ...rows) => el("section", {}, el("h3", {}, title), ...rows);
+/** @param {Node | string} term @param {string} text */
+const row = (term, text) => el("div.row", {}, el("dt", {}, term), el("dd", {}, text));
+/** @param {Node[]} rows */
+const list = (rows) => el("dl", {}, ...rows);
+
+export class Help {
+  /** @param {Key[]} keys */
+  constructor(keys) {
+    this.dialog = byId("help");
+    byId("help-button").onclick = () => this.open();
+    byId("help-close").onclick = () => this.dialog.close();
+    byId("help-search").oninput = () => this.#search();
+    byId("help-commands").append(...kGroups.map(([title, group]) => section(title, list(
+      /** @type {any[]} */ (commands[group]).map(({ form, example, effect }) => row(el("code", { title: form }, example ?? form), firstSentence(effect)))))));
+    byId("help-keys").append(section("Keys", list(keys.map(({ shown, does }) => row(el("kbd", {}, shown), does))), this.#switch()),
+      section("What the status means", list(kStatuses.map(([kind, word, text]) => row(chip(kind, word), text)))),
+      section("Read", el("ul", {}, ...kPages.map(([page, name]) => el("li", {}, el("a", { href: `/docs/${page}`, target: "_blank" }, name))))));
+  }
+
+  #switch() {
+    const box = el("input", { type: "checkbox", id: "keys-on", checked: areKeysOn(), onchange: () => remember("keys", box.checked) });
+    return el("label.hint", {}, box, " single keys");
+  }
+
+  open() {
+    if (this.dialog.open) return;
+    this.dialog.showModal();
+    byId("help-search").focus();
+  }
+
+  #search() {
+    const words = byId("help-search").value.trim().toLowerCase().split(/\s+/);
+    for (const each of /** @type {NodeListOf<HTMLElement>} */ (this.dialog.querySelectorAll(".row")))
+      each.hidden = !words.every((/** @type {string} */ word) => each.textContent.toLowerCase().includes(word));
+    for (const each of /** @type {NodeListOf<HTMLElement>} */ (this.dialog.querySelectorAll("section:has(dl)")))
+      each.hidden = !each.querySelector(".row:not([hidden])");
+  }
+}
+
+/** @param {import("./status.js").Kind} kind @param {string} word */
+function chip(kind, word) {
+  const icon = document.createElementNS("http://www.w3.org/2000/svg", "svg");
+  icon.setAttribute("class", "i");
+  icon.innerHTML = `<use href="${iconOf(kind)}"/>`;
+  const shown = el("span.chip", {}, icon, word);
+  shown.dataset.kind = kind;
+  return shown;
+}

@@ -1,0 +1,54 @@
+// Single keys, and Help, which lists them.
+import assert from "node:assert/strict";
+import { after, test } from "node:test";
+import { close, ready, withPage } from "../bench.mjs";
+
+after(close);
+
+test("single keys act, but not where a control uses them, and Help switches them off", () =>
+  withPage(["--clock", "real"], async (page, server) => {
+    const mode = (wanted) => page.waitForFunction((each) => window.xr3.known.state.clock.mode === each, wanted);
+    await page.keyboard.press(" ");
+    await mode("manual");
+    await page.waitForSelector("#step:enabled");
+    const { tick } = await server.state();
+    await page.keyboard.press(".");
+    await page.waitForFunction((before) => window.xr3.known.state.tick === before + 100, tick);
+    await page.fill("#wire-filter", "");
+    await page.keyboard.type(" w");
+    assert.equal(await page.inputValue("#wire-filter"), " w");
+    assert.equal(await page.evaluate(() => window.xr3.known.state.clock.mode), "manual");
+    await page.locator("#wire").focus();
+    await page.keyboard.press(" ");
+    await mode("real");
+    await page.keyboard.press("2");
+    assert.equal(await page.evaluate(() => document.activeElement.getAttribute("aria-label")), "shoulder");
+    await page.keyboard.press("ArrowRight");
+    await page.waitForFunction(() => window.xr3.known.state.joints[1].count >= 40);
+    await page.keyboard.press("j");
+    assert.ok(await page.isHidden("#wire-panel"));
+    await page.keyboard.press("w");
+    assert.ok(await page.isVisible("#wire-panel"));
+    await page.keyboard.press("?");
+    await page.waitForSelector("#help[open]");
+    await page.uncheck("#keys-on");
+    await page.keyboard.press("Escape");
+    await page.waitForSelector("#help", { state: "hidden" });
+    await page.keyboard.press("j");
+    assert.ok(await page.isVisible("#wire-panel"));
+    await page.reload();
+    await ready(page);
+    await page.keyboard.press("j");
+    assert.ok(await page.isVisible("#wire-panel"), "a reload keeps that");
+  }, { picture: false }));
+
+test("Help has all commands of the line, and its search leaves what one looks for", () =>
+  withPage(["--clock", "manual"], async (page) => {
+    await page.click("#help-button");
+    assert.ok(await page.locator("#help-commands .row").count() >= 26);
+    await page.fill("#help-search", "home");
+    const rows = await page.locator("#help .row:visible").allTextContents();
+    assert.ok(rows.length > 0 && rows.every((text) => /home/i.test(text)), String(rows));
+    await page.click("#help-close");
+    await page.waitForSelector("#help", { state: "hidden" });
+  }, { picture: false }));
