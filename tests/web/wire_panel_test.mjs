@@ -1,6 +1,8 @@
 // The wire panel: the count, messages held back while paused, and copying with and without a
 // clipboard.
 import assert from "node:assert/strict";
+import { once } from "node:events";
+import { connect } from "node:net";
 import { after, test } from "node:test";
 import { call, close, type, withPage } from "./bench.mjs";
 
@@ -81,3 +83,30 @@ test("if copying is forbidden, the bytes are selected and the page says so", () 
     await page.waitForSelector("#wire-status:has-text('Ctrl-C')");
     assert.match(await page.evaluate(() => String(getSelection())), /E\+5/);
   }));
+
+test("polling is one row with its first and last answer, and a click unfolds it", () =>
+  withPage(["--clock", "manual"], async (page, server) => {
+    const socket = connect(server.robot, "127.0.0.1");
+    const ask = async (text) => {
+      socket.write(text);
+      await once(socket, "data");
+    };
+    socket.write("E+50\r");
+    await page.waitForSelector("#wire li.in");
+    for (let i = 0; i < 3; ++i) {
+      await ask("E?");
+      await page.evaluate(() => window.xr3.step(100));
+    }
+    const row = page.locator("#wire li.fold");
+    await row.waitFor();
+    assert.match(await row.textContent(), /E\? ×3.*50 → \d+ counts to go/);
+    assert.equal(await page.locator("#wire li.in:visible").count(), 2, "the move, and the row");
+    await row.locator("button").click();
+    assert.equal(await page.locator("#wire li.kid:visible").count(), 6);
+    await ask("E?");
+    await page.waitForSelector("#wire li.fold:has-text('×4')");
+    await ask("D?");
+    await page.waitForFunction(() => document.querySelectorAll("#wire li:not(.kid, .fold)").length === 3);
+    assert.match(await page.evaluate(() => window.xr3.transcript()), /(E\?[^]*){4}/, "what is copied is not folded");
+    socket.destroy();
+  }, { picture: false }));

@@ -10,6 +10,7 @@ import { OldDrawer } from "./app/old_drawer.js";
 import { clockText, statusOf } from "./app/status.js";
 import { countsOf } from "./lib/drive.js";
 import { handOf } from "./lib/hand.js";
+import { FirstSteps } from "./panels/first_steps.js";
 import { HandMover } from "./lib/hand_mover.js";
 import { StatusView } from "./app/status_view.js";
 import { Access } from "./panels/access.js";
@@ -97,6 +98,16 @@ const tool = new ToolPanel({
 const blockCard = new BlockCard({
   host: document.querySelector(".stage"), hands, tool, onRefused: (reason) => showMessage(`Not there: ${reason}.`), onError: showError,
 });
+const firstSteps = new FirstSteps({
+  stage: document.querySelector(".stage"), side: document.querySelector(".side"), send: (text) => commandLine.transmit(text),
+  pick: (name) => blockCard.pick(name), getPort: robotPort, onError: showError,
+});
+
+/** The port to which programs connect; rejects if this page may not know it. */
+async function robotPort() {
+  const { cells } = await connection.call("cells");
+  return cells.find(({ name }) => name === known.hello.cell)?.robot_port ?? null;
+}
 scene.picking.onClick = (spot, { offsetX, offsetY }) => (spot?.name ? blockCard.open(spot.name, { x: offsetX, y: offsetY }) : blockCard.close());
 scene.picking.onPoint = showSpot;
 const tipDrag = new TipDrag({ host: document.querySelector(".stage"), scene, hands, mayMove: () => lock.isFree && isOpen(), onError: showError });
@@ -167,7 +178,7 @@ const kKeys = [
   { keys: ["?"], shown: "?", does: "this help", act: () => help.open() },
   { keys: [], shown: "Esc", does: "let go, drop what waits, close, back to now", act: () => {} },
 ];
-const help = new Help(kKeys);
+const help = new Help(kKeys, () => firstSteps.show());
 connectKeys(kKeys, () => !old.isOpen && !tipDrag.isUnderWay);
 
 // Without WebGL the rest of the page still works.
@@ -271,7 +282,7 @@ function takeModel(model) {
   if (known.hello) showName(model.robot.name);
   showModel(model);
   takeRobot(model.robot);
-  for (const panel of [plots, teach]) panel.setModel(model);
+  for (const panel of [plots, teach, firstSteps]) panel.setModel(model);
   lock.apply();
   if (known.state) takeState(known.state);
 }
@@ -414,7 +425,7 @@ window.xr3 = {
   tipDrawn: () => scene.tipDrawn(),
   blockDrawn: (name) => scene.blockDrawn(name),
   paperDraws: () => paper.draws,
-  isIdle: () => mover.isIdle,
+  isIdle: () => mover.isIdle, transcript: () => wire.transcript(),
   lock: (reason) => lock.set("test", reason),
   hand: () => handOf(known.model.robot, known.state.joints.map(({ value }) => value)),
   isGhostShown: () => scene.ghost.group.visible,

@@ -31,8 +31,8 @@ const row = (term, text) => el("div.row", {}, el("dt", {}, term), el("dd", {}, t
 const list = (rows) => el("dl", {}, ...rows);
 
 export class Help {
-  /** @param {Key[]} keys */
-  constructor(keys) {
+  /** @param {Key[]} keys @param {() => void} showFirst shows the things to try at a first visit */
+  constructor(keys, showFirst) {
     this.dialog = byId("help");
     byId("help-button").onclick = () => this.open();
     byId("help-close").onclick = () => this.dialog.close();
@@ -41,7 +41,16 @@ export class Help {
       /** @type {any[]} */ (commands[group]).map(({ form, example, effect }) => row(el("code", { title: form }, example ?? form), firstSentence(effect)))))));
     byId("help-keys").append(section("Keys", list(keys.map(({ shown, does }) => row(el("kbd", {}, shown), does))), this.#switch()),
       section("What the status means", list(kStatuses.map(([kind, word, text]) => row(chip(kind, word), text)))),
-      section("Read", el("ul", {}, ...kPages.map(([page, name]) => el("li", {}, el("a", { href: `/docs/${page}`, target: "_blank" }, name))))));
+      section("Read", el("ul", {}, el("li", {}, this.#first(showFirst)), ...kPages.map(([page, name]) => el("li", {}, el("a", { href: `/docs/${page}`, target: "_blank" }, name))))));
+  }
+
+  /** @param {() => void} showFirst */
+  #first(showFirst) {
+    const show = () => {
+      this.dialog.close();
+      showFirst();
+    };
+    return el("button", { type: "button", id: "help-first", onclick: show }, "Show the things to try");
   }
 
   #switch() {

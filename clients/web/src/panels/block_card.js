@@ -46,7 +46,7 @@ export class BlockCard {
     this.card = el("div.pop", { id: "block-card", role: "group", "aria-label": "Block", hidden: true },
       el("header", {}, this.swatch, this.title, el("span.grow"), close),
       el("dl", {}, el("dt", {}, "size"), this.facts.size, el("dt", {}, "centre"), this.facts.centre, el("dt", {}, "turned"), this.facts.turned),
-      el("span.group", {}, act("Pick it up", () => this.pick(), ".primary"), act("Go above", () => this.goAbove())));
+      el("span.group", {}, act("Pick it up", () => this.pick(this.name), ".primary"), act("Go above", () => this.goAbove())));
     this.host.append(this.card);
   }
 
@@ -79,7 +79,7 @@ export class BlockCard {
   }
 
   #show() {
-    const block = this.#block();
+    const block = this.#block(this.name);
     const file = this.files?.get(this.name);
     this.card.hidden = !block || !file;
     if (!block || !file) return;
@@ -90,9 +90,9 @@ export class BlockCard {
     setText(this.facts.turned, `${number(block.yaw_deg)}°`);
   }
 
-  /** @returns {Block | undefined} */
-  #block() {
-    return this.blocks?.find((/** @type {Block} */ { name }) => name === this.name);
+  /** @param {string | null} wanted @returns {Block | undefined} */
+  #block(wanted) {
+    return this.blocks?.find((/** @type {Block} */ { name }) => name === wanted);
   }
 
   // --- What the arm does with it.
@@ -107,29 +107,29 @@ export class BlockCard {
     }
   }
 
-  /** The hand straight down over a block, the jaws across its narrower side. @param {number} z @returns {Hand} */
-  #handAt(z) {
-    const { xyz_mm, yaw_deg } = this.#block();
-    const { size } = this.files.get(this.name);
+  /** The hand straight down over a block, the jaws across its narrower side. @param {Block} block @param {number} z @returns {Hand} */
+  #handAt({ name, xyz_mm, yaw_deg }, z) {
+    const { size } = this.files.get(name);
     return { xyz_mm: [xyz_mm[0], xyz_mm[1], z], pitch_deg: -90, roll_deg: size[1] <= size[0] ? yaw_deg : yaw_deg + 90 };
   }
 
-  /** The height of the tip when it is above. */
-  #above() {
-    return this.#block().xyz_mm[2] + this.files.get(this.name).size[2] / 2 + kAboveMm;
+  /** The height of the tip when it is above. @param {Block} block */
+  #above({ name, xyz_mm }) {
+    return xyz_mm[2] + this.files.get(name).size[2] / 2 + kAboveMm;
   }
 
   async goAbove() {
-    const hand = this.#handAt(this.#above());
+    const block = this.#block(this.name);
+    const hand = this.#handAt(block, this.#above(block));
     this.hands.go((await this.hands.ask(hand, this.hands.end().counts)).counts, hand);
   }
 
-  /** Finds all places first, so that nothing moves if one cannot be reached. */
-  async pick() {
-    const block = this.#block();
-    const narrow = Math.min(...this.files.get(this.name).size.slice(0, 2));
+  /** Picks up a block. Finds all places first, so that nothing moves if one cannot be reached. @param {string} name */
+  async pick(name) {
+    const block = this.#block(name);
+    const narrow = Math.min(...this.files.get(name).size.slice(0, 2));
     if (this.tool.widestMm < narrow + kSpareMm) throw new Error(`The jaws open ${number(this.tool.widestMm)} mm, and ${block.name} is ${number(narrow)} mm wide.`);
-    const [high, low] = [this.#handAt(this.#above()), this.#handAt(block.xyz_mm[2])];
+    const [high, low] = [this.#handAt(block, this.#above(block)), this.#handAt(block, block.xyz_mm[2])];
     const above = await this.hands.ask(high, this.hands.end().counts);
     const there = await this.hands.ask(low, above.counts);
     this.tool.open();

@@ -14,9 +14,17 @@ export class TimeBar {
   constructor({ known, call, isOpen, lock, onTick }) {
     Object.assign(this, { known, lock, onTick });
     byId("pause").onclick = () => call(known.state?.clock.mode === "manual" ? "resume" : "pause");
-    byId("step").onclick = () => call("step", { ticks: kStepTicks, fields: [] });
+    byId("step").onclick = () => this.#step(call);
     byId("rate").onchange = (event) => call("rate", { factor: Number(event.target.value) });
     setInterval(() => known.state && isOpen() && this.follow(), kClockEveryMs);
+  }
+
+  // At rest no state follows: then the tick is that of the result.
+  async #step(call) {
+    const value = await call("step", { ticks: kStepTicks, fields: [] });
+    if (!value || value.epoch !== this.known.state.epoch || value.tick <= this.known.state.tick) return;
+    this.known.state = { ...this.known.state, tick: value.tick };
+    this.setState(this.known.state);
   }
 
   setState({ clock, tick }) {

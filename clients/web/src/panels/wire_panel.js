@@ -1,6 +1,7 @@
 // The wire panel: every byte sent and received, by line, with its explanation, as in a serial
 // analyser.
 import { byId, copyText, download, el, setText } from "../lib/dom.js";
+import { WireFold } from "./wire_fold.js";
 import { counted, isOfDevice, isWarning, transcriptLine } from "../lib/wire_text.js";
 
 const kMaxRows = 1024;
@@ -27,6 +28,7 @@ export class WirePanel {
     this.isPaused = false;
     this.waiting = [];
     filter.addEventListener("input", () => this.#refresh());
+    this.fold = new WireFold(list);
     this.follows = true; // the bottom of the list, until the user scrolls up
     list.addEventListener("scroll", () => list.offsetParent && (this.follows = list.scrollHeight - list.scrollTop - list.clientHeight < 40));
     this.#connectButtons();
@@ -131,21 +133,30 @@ export class WirePanel {
     this.messages = [];
     this.waiting = [];
     this.list.replaceChildren();
+    this.fold.end();
     this.#updateCount();
   }
 
   #add(message) {
     this.messages.push(message);
     if (this.messages.length > kMaxRows) this.messages.shift();
-    if (this.#matches(message)) this.#append(this.#row(message));
+    if (this.#matches(message)) this.#append(message);
     this.#updateCount();
   }
 
-  #append(row) {
+  #append(message) {
     const { list } = this;
-    list.append(row);
+    this.#place(message);
     while (list.children.length > kMaxRows) list.firstChild.remove();
     this.show();
+  }
+
+  /** Appends the row of a message, folded with those before it if it belongs to them. */
+  #place(message) {
+    if (message.note) {
+      this.fold.end();
+      this.list.append(this.#row(message));
+    } else this.fold.append(message, this.#row(message));
   }
 
   #matches(message) {
@@ -175,7 +186,9 @@ export class WirePanel {
   }
 
   #refresh() {
-    this.list.replaceChildren(...this.#matching().map((message) => this.#row(message)));
+    this.list.replaceChildren();
+    this.fold.end();
+    for (const message of this.#matching()) this.#place(message);
     this.list.scrollTop = this.list.scrollHeight;
     this.#updateCount();
   }
@@ -187,7 +200,7 @@ export class WirePanel {
   #countText() {
     const all = counted(this.messages.filter((message) => !message.note).length, "message");
     if (this.messages.length === 0) return this.isPaused ? all : "No bytes yet: connect to the robot port, or send a command below.";
-    return this.filter.value.trim() || this.source ? `${this.list.querySelectorAll("li:not(.lag, .mark, .warning)").length} of ${all}` : all;
+    return this.filter.value.trim() || this.source ? `${this.list.querySelectorAll("li:not(.lag, .mark, .warning, .fold)").length} of ${all}` : all;
   }
 
   transcript() {

@@ -1,0 +1,96 @@
+// @ts-check
+// Three things to try, for the first visit: each is one click, and says what happened. Help shows them again.
+import { byId, el } from "../lib/dom.js";
+import { recall, remember } from "../lib/memory.js";
+import { unitOf } from "../lib/motors.js";
+
+/** @typedef {{title: string, what: string, button?: string, act?: () => Promise<string>}} Step `act` resolves to what happened */
+
+const kCounts = 50;
+const kPhone = matchMedia("(max-width: 899px)");
+
+/** The address by which programs connect. @param {number | null} port */
+const addressOf = (port) => `${location.hostname}, port ${port ?? "as xr3 serve has printed it"}`;
+
+export class FirstSteps {
+  /**
+   * @param {{stage: HTMLElement, side: HTMLElement, send: (text: string) => Promise<unknown>, pick: (block: string) => Promise<void>,
+   *   getPort: () => Promise<number | null>, onError: (error: unknown) => void}} parts
+   */
+  constructor({ stage, side, send, pick, getPort, onError }) {
+    this.stage = stage;
+    this.side = side;
+    this.send = send;
+    this.pick = pick;
+    this.getPort = getPort;
+    this.onError = onError;
+    this.card = el("section.first", { id: "first-steps", "aria-label": "Three things to try", hidden: true });
+    kPhone.addEventListener("change", () => this.#place());
+    this.#place();
+  }
+
+  #place() {
+    if (kPhone.matches) this.side.prepend(this.card);
+    else this.stage.append(this.card);
+  }
+
+  /** Shows the card if this browser has not closed it. @param {import("../lib/monitor_types").Model} model */
+  setModel(model) {
+    const isFirst = !this.model;
+    this.model = model;
+    if (isFirst && recall("first", true)) this.show();
+  }
+
+  async show() {
+    const steps = this.#steps(await this.getPort().catch(/** @returns {null} */ () => null));
+    const close = el("button.icon.quiet", { type: "button", "aria-label": "Close", title: "Close", onclick: () => this.close() }, "×");
+    this.card.replaceChildren(el("header", {}, el("h2", {}, "Things to try"), close), el("ol", {}, ...steps.map((step, i) => this.#item(step, i + 1))),
+      el("p.hint", {}, "Or take the orange ball at the tip and drag it. Help shows this card again."));
+    this.card.hidden = false;
+  }
+
+  close() {
+    remember("first", false);
+    this.card.hidden = true;
+    byId("help-button").focus();
+  }
+
+  /** @param {number | null} port @returns {Step[]} */
+  #steps(port) {
+    const { robot, workcell } = this.model;
+    const joint = /** @type {any} */ (robot.joints[Math.min(1, robot.joints.length - 1)]);
+    const amount = unitOf(joint) === "mm" ? `${(kCounts * joint.precision).toFixed(1)} mm` : `${(kCounts * joint.precision).toFixed(1)}°`;
+    const command = `${joint.label}+${kCounts}`;
+    const move = async () => {
+      await this.send(`${command}\r`);
+      return `Done: the page sent ${command}. ${kCounts} counts moved the ${joint.name} by ${amount}. See it in Wire.`;
+    };
+    const [block] = workcell.blocks;
+    const grasp = async () => {
+      await this.pick(block.name);
+      return `The arm goes over ${block.name}, closes its jaws and lifts it. Each move is in Wire.`;
+    };
+    return [
+      { title: `Move the ${joint.name}`, what: `The page sends ${command}: ${kCounts} counts, ${amount}.`, button: "Move", act: move },
+      ...(block ? [{ title: `Pick up the block ${block.name}`, what: "It takes some seconds. A click on any block does the same.", button: "Pick", act: grasp }] : []),
+      { title: "Connect a program", what: `Programs connect to ${addressOf(port)}. In a terminal: xr3 term, or telnet. In Python: import xr3; robot = xr3.connect()` },
+    ];
+  }
+
+  /** @param {Step} step @param {number} number */
+  #item({ title, what, button, act }, number) {
+    const text = el("span.what", { role: "status" }, what);
+    const item = el("li", {}, el("span.no", { "aria-hidden": "true" }, String(number)), el("b", {}, title));
+    if (act) {
+      const run = () => act().then((said) => {
+        item.classList.add("done");
+        text.textContent = said;
+      }).catch(this.onError);
+      const start = el("button", { type: "button", onclick: run }, button);
+      start.dataset.call = "send";
+      item.append(start);
+    }
+    item.append(text);
+    return item;
+  }
+}
