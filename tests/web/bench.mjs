@@ -166,6 +166,12 @@ export async function openOld(page) {
   await page.waitForSelector("#old:visible");
 }
 
+/** Closes the card of a first visit. */
+export async function closeFirstSteps(page) {
+  await page.waitForSelector("#first-steps:visible");
+  await page.click("#first-steps header button");
+}
+
 /** Opens the time bar if it is closed. */
 export async function openTimeBar(page) {
   if (await page.isHidden("#past") && await page.isVisible("#rewind")) await page.click("#rewind");

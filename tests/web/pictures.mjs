@@ -2,7 +2,7 @@
 // block. Usage: node pictures.mjs DOCS_FOLDER FRAMES_FOLDER, with XR3 set to the path of the
 // executable.
 import { connect } from "node:net";
-import { close, open, ready, serve, type } from "./bench.mjs";
+import { close, closeFirstSteps, open, ready, serve, type } from "./bench.mjs";
 import { ask } from "./panels/class.mjs";
 
 const [docs, frames] = process.argv.slice(2);
@@ -12,6 +12,7 @@ async function still(robot, colorScheme, act, name = `viewer-${robot}`, ...optio
   const server = await serve("--robot", robot, ...options);
   const page = await open(server.url, { viewport: kSize, colorScheme });
   await ready(page);
+  if (name !== "viewer-start") await closeFirstSteps(page);
   await act(page, server);
   await page.waitForTimeout(400);
   await page.screenshot({ path: `${docs}/${name}.png` });
@@ -83,6 +84,8 @@ const kWay = [{ E: 449, D: -625 }, { A: 24 }, { E: -300, D: 420 }, { F: 190 }, {
 const server = await serve("--clock", "manual");
 const page = await open(server.url, { viewport: kSize });
 await ready(page);
+await closeFirstSteps(page);
+await page.$eval("#banner", (banner) => (banner.style.display = "none")); // the film steps time, which is paused
 let shots = 0;
 
 async function frame() {

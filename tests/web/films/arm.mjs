@@ -5,7 +5,7 @@
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { call, close, open, ready, serve } from "../bench.mjs";
+import { call, close, closeFirstSteps, open, ready, serve } from "../bench.mjs";
 import { film, runPython } from "./film.mjs";
 
 const [frames] = process.argv.slice(2);
@@ -38,6 +38,7 @@ const page = await open(server.url, { viewport: kPage, colorScheme: "light" });
 const pane = await open("about:blank", { viewport: kPane });
 await pane.setContent(kPaneHtml);
 await ready(page);
+await closeFirstSteps(page);
 await page.focus("#solid canvas"); // the whole arm below the notice
 for (const key of ["-", "-", "ArrowUp", "ArrowUp"]) await page.keyboard.press(key);
 await page.evaluate(() => document.activeElement.blur());

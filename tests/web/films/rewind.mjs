@@ -1,7 +1,7 @@
 // Makes the frames of docs/rewind.gif: a program has put a block down; one looks back, takes the robot to the moment
 // in which it held the block, and puts it elsewhere. A frame is NNNN.png; the file `delays` has its duration in 1/100 s.
 // Usage: node rewind.mjs FRAMES_FOLDER, with XR3 set to the path of the executable.
-import { close, open, openTimeBar, ready, root, serve, type } from "../bench.mjs";
+import { close, closeFirstSteps, open, openTimeBar, ready, root, serve, type } from "../bench.mjs";
 import { film, runPython } from "./film.mjs";
 
 const [frames] = process.argv.slice(2);
@@ -12,6 +12,7 @@ const kDragSteps = 40;
 const server = await serve("--clock", "real:4");
 const page = await open(server.url, { viewport: kPage, colorScheme: "light" });
 await ready(page);
+await closeFirstSteps(page);
 await page.evaluate(() => document.activeElement.blur());
 const pause = (ms) => page.waitForTimeout(ms);
 

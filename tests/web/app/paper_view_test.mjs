@@ -1,7 +1,7 @@
 // The paper's view: live, as the program draws it, and without erasing.
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
-import { close, openOld, type, withPage } from "./bench.mjs";
+import { close, openOld, type, withPage } from "../bench.mjs";
 
 after(close);
 

@@ -1,7 +1,7 @@
 // Every function of command mode by plain key, Alt key and entry of the drawer "As in 1989".
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
-import { close, openOld, withPage } from "./bench.mjs";
+import { close, openOld, withPage } from "../bench.mjs";
 
 after(close);
 

@@ -2,7 +2,7 @@
 // the millimetres under the pointer.
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
-import { close, pixels, withPage } from "./bench.mjs";
+import { close, pixels, withPage } from "../bench.mjs";
 
 after(close);
 

@@ -18,7 +18,7 @@ const number = (/** @type {number} */ value) => (Math.abs(value) < 0.05 ? 0 : va
 
 export class BlockCard {
   /**
-   * @param {{host: HTMLElement, hands: import("../lib/hand_mover.js").HandMover, tool: import("./tool_panel.js").ToolPanel,
+   * @param {{host: HTMLElement, hands: import("../lib/hand_mover.js").HandMover, tool: import("../inspector/tool_panel.js").ToolPanel,
    *   onRefused: (reason: string) => void, onError: (error: unknown) => void}} parts `host` is the stage
    */
   constructor({ host, hands, tool, onRefused, onError }) {

@@ -1,7 +1,7 @@
 // Keys go to command mode or to the element with the focus.
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
-import { close, openOld, withPage } from "./bench.mjs";
+import { close, openOld, withPage } from "../bench.mjs";
 
 after(close);
 
