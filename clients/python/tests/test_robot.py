@@ -13,6 +13,7 @@ import sys
 import threading
 import time
 import unittest
+import warnings
 from unittest import mock
 
 import xr3
@@ -204,6 +205,41 @@ class AllJoints(WithServer):
     def test_refuses_the_protected_region(self):
         with self.assertRaisesRegex(Unreachable, "protected region"):
             self.robot.go_to(Pose(95, 0, 300))
+
+    def test_a_line_is_straight_and_is_checked_before_anything_moves(self):
+        self.robot.go_to(Pose(262, 0, 120, 90))
+        tips = []
+        go = self.robot.go
+
+        def note(counts):
+            go(counts)
+            tips.append(RHINO_XR3.tip(self.robot.at))
+        with mock.patch.object(self.robot, "go", note):
+            self.robot.line_to(Pose(262, 90, 120, 60), step_mm=10.5)
+        self.assertEqual(9, len(tips))
+        for number, (x, y, z) in enumerate(tips, 1):
+            self.assertLess(math.dist((x, y, z), (262, 10 * number, 120)), 1.0, tips)
+        self.assertAlmostEqual(60, RHINO_XR3.yaw(self.robot.at), delta=0.5)
+        before = self.monitor.counts()
+        with self.assertRaisesRegex(Unreachable, "protected region"):
+            self.robot.line_to(Pose(60, 0, 120))
+        for step in (0, -1, math.nan):
+            with self.assertRaisesRegex(ValueError, "above 0"):
+                self.robot.line_to(Pose(262, 0, 120), step)
+        self.assertEqual(before, self.monitor.counts())
+
+    def test_a_line_begins_with_the_hand_down(self):
+        self.robot.go({"C": 100})
+        with self.assertRaisesRegex(Unreachable, "straight down"):
+            self.robot.line_to(Pose(262, 0, 120))
+
+    def test_warns_of_a_pose_below_the_table(self):
+        with self.assertWarnsRegex(UserWarning, "20 mm below the table"):
+            self.robot.go_to(Pose(262, 0, -20, 90))
+        self.robot.table_mm = -30
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            self.robot.go_to(Pose(262, 0, -25, 90))
 
     def test_refuses_a_place_out_of_reach(self):
         with self.assertRaises(Unreachable):

@@ -8,6 +8,7 @@ import re
 import socket
 import sys
 import time
+import warnings
 from types import TracebackType
 from typing import Callable, List, Optional, Sequence, Type, Union
 
@@ -16,6 +17,7 @@ from xr3.address import check_type, connect as connect_line
 from xr3.arms import RHINO_XR3
 from xr3.joints import Pose, Unreachable, check_pose
 from xr3.kinematics import Arm, Counts, check_counts
+from xr3.line import straight
 from xr3.monitor import server_version
 from xr3.vision import CAMERAS, Camera, Picture
 
@@ -54,7 +56,9 @@ class Robot:
     arm that xr3 does not supply, to the Rhino's.
 
     The attribute `at` has the position of each motor in counts from the soft home, by label, as
-    tracked by `go()` and the methods that use it. The arm is assumed to start at the soft home.
+    tracked by `go()` and the methods that use it. The arm is assumed to start at the soft home. The
+    attribute `table_mm` is the height of the table; `go_to()` and `line_to()` warn of poses below it.
+    It is 0 until a program sets it.
 
     The constructor raises ValueError if the port is no port, and ConnectionError if no robot
     answers. All methods raise OSError if the connection is lost, and TimeoutError if an answer does
@@ -73,6 +77,7 @@ class Robot:
         self.arm = arm
         self.camera = camera or CAMERAS.get(arm.name) or Camera()
         self.at: Counts = dict.fromkeys(arm.labels, 0)
+        self.table_mm = 0.0
         self._closed: Optional[bool] = None  # the bit of a closed switch, once it is known
         self._waiting: List[str] = []  # the joints that home() has still to find
         self._has_answered = False
@@ -246,8 +251,26 @@ class Robot:
     def go_to(self, pose: Pose) -> None:
         """Moves the tool to a pose, pointing down, and waits; a slide stays where it is. All motors
         move together, so the path of the tip is no straight line. Raises Unreachable before
-        anything moves, or RobotError."""
-        self.go(self.arm.solve(pose, self.arm.slide_at(self.at)))
+        anything moves, also for a pose in the protected region, or RobotError. Warns of a pose
+        below the table."""
+        counts = self.arm.solve(pose, self.arm.slide_at(self.at))
+        self._check_table(pose)
+        self.go(counts)
+
+    def line_to(self, pose: Pose, step_mm: float = 5.0) -> None:
+        """Moves the tip to a pose on a straight line and waits, pointing down, in steps of at most
+        `step_mm` mm; between them the path bends a little. The hand must point down before. Raises
+        Unreachable before anything moves if the arm cannot be at some point of the line, ValueError
+        if the step is not above 0, or RobotError. Warns of a pose below the table."""
+        way = straight(self.arm, self.at, pose, step_mm)
+        self._check_table(pose)
+        for counts in way:
+            self.go(counts)
+
+    def _check_table(self, pose: Pose) -> None:
+        if pose.z < self.table_mm:
+            warnings.warn(f"{pose} is {self.table_mm - pose.z:g} mm below the table: the tip goes "
+                          "into it, and the robot may stall", stacklevel=3)
 
     def soft_home(self) -> None:
         """Puts the arm at its soft home at once, without a move. Only the simulator can do this."""
