@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { readFile, writeFile } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import { after, test } from "node:test";
-import { call, close, withPage } from "./bench.mjs";
+import { call, close, kDeadlineMs, withPage } from "./bench.mjs";
 
 after(close);
 
@@ -191,3 +191,46 @@ test("a file that is too large or invalid is reported with all its errors", () =
     assert.ok(await page.isHidden("#workcell-problems"));
     assert.equal(await page.getAttribute("#status", "data-connection"), "open");
   }));
+
+test("a move is undone and redone, by button and by keys, and takes its message with it", () =>
+  withPage(["--clock", "manual"], async (page, server) => {
+    const at = async () => (await server.state()).blocks.find(({ name }) => name === "green").xyz_mm[0];
+    const isAt = async (x) => {
+      const deadline = Date.now() + kDeadlineMs;
+      while (await at() !== x) assert.ok(Date.now() < deadline, `${await at()}, not ${x}`);
+    };
+    await page.click("#tab-workcell");
+    await page.focus("[data-block=green]");
+    await page.fill("#place-form [name=x]", "350");
+    await page.press("#place-form [name=x]", "Enter");
+    await isAt(350);
+    await page.waitForSelector("#message:has-text('green moved to x 350, y 96')");
+    await page.click("#message button:has-text('Undo')");
+    await isAt(330);
+    assert.ok(await page.isHidden("#message"));
+    await page.click("#workcell-redo");
+    await isAt(350);
+    await page.focus("[data-block=green]");
+    await page.keyboard.press("Control+z");
+    await isAt(330);
+    await page.focus("[data-block=green]");
+    await page.keyboard.press("Delete");
+    await page.waitForFunction(() => !window.xr3.known.state.blocks.some(({ name }) => name === "green"));
+    await page.click("#workcell-undo");
+    await isAt(330);
+  }, { picture: false }));
+
+test("a block cannot be put into another or below the table, and the page says so at once", () =>
+  withPage(["--clock", "manual"], async (page, server) => {
+    await page.click("#tab-workcell");
+    await page.focus("[data-block=red]");
+    await page.fill("#place-form [name=z]", "10");
+    await page.press("#place-form [name=z]", "Enter");
+    await page.waitForSelector("#message:has-text('red would stand 10 mm below the table. It stays where it was.')");
+    await page.fill("#place-form [name=x]", "330");
+    await page.fill("#place-form [name=y]", "96");
+    await page.press("#place-form [name=y]", "Enter");
+    await page.waitForSelector("#message:has-text('red would stand in green. It stays where it was.')");
+    const { xyz_mm } = (await server.state()).blocks.find(({ name }) => name === "red");
+    assert.ok(xyz_mm[0] !== 330 || xyz_mm[1] !== 96, String(xyz_mm));
+  }, { picture: false }));

@@ -17,7 +17,7 @@ import { Access } from "./panels/access.js";
 import { Messages } from "./panels/messages.js";
 import { CameraPanel } from "./inspector/camera_panel.js";
 import { CommandMenu } from "./panels/command_menu.js";
-import { CommandMode } from "./lib/command_mode.js";
+import { CommandMode, isTyping } from "./lib/command_mode.js";
 import { CommandLine } from "./panels/command_line.js";
 import { ControlLock } from "./panels/control_lock.js";
 import { DeviceNotice } from "./panels/device_notice.js";
@@ -131,6 +131,7 @@ const teach = new TeachPanel({
 });
 const workcell = new WorkcellPanel({
   host: byId("workcell-panel"), call: (fn, args) => connection.call(fn, args), getModel: () => connection.get("model"), mayCall: () => lock.isFree, onError: showError,
+  onRefused: showMessage, onDone: (what, undo) => messages.show(what, { name: "Undo", act: undo }),
 });
 const timeBar = new TimeBar({
   known, call, lock, isOpen, onTick: (tick) => paper.tick(tick),
@@ -158,6 +159,12 @@ const drawer = new Drawer((panel) => {
 });
 connectSections();
 connectSplitters();
+document.addEventListener("keydown", (event) => {
+  if (event.key.toLowerCase() !== "z" || !(event.ctrlKey || event.metaKey) || isTyping(event.target) || !lock.isFree) return;
+  event.preventDefault();
+  if (event.shiftKey) workcell.undo.redo();
+  else workcell.undo.undo();
+});
 document.addEventListener("keydown", (event) => event.key === "Escape" && !document.querySelector("dialog[open]") && mover.clear());
 
 /** The single keys, in the order of Help. */
@@ -176,6 +183,7 @@ const kKeys = [
   { keys: ["j"], shown: "J", does: "open or close the drawer", act: () => byId("drawer-toggle").click() },
   { keys: ["t"], shown: "T", does: "time bar", act: () => byId("rewind").click() },
   { keys: ["?"], shown: "?", does: "this help", act: () => help.open() },
+  { keys: [], shown: "Ctrl Z", does: "undo in the workcell; with Shift redo", act: () => {} },
   { keys: [], shown: "Esc", does: "let go, drop what waits, close, back to now", act: () => {} },
 ];
 const help = new Help(kKeys, () => firstSteps.show());

@@ -3,10 +3,12 @@
 import { BlockTable } from "./block_table.js";
 import { ChosenBlock, placeText } from "./chosen_block.js";
 import { byId, el, setText } from "../lib/dom.js";
+import { belowTable, standsIn } from "../lib/footprint.js";
 import { freePlace } from "../lib/free_place.js";
 import { baseShift, mmPerUnit } from "../lib/kinematics.js";
 import { colorOf, kColorNames } from "../lib/palette.js";
 import { Plan } from "./plan.js";
+import { Undo } from "../lib/undo.js";
 import { WorkcellFile } from "./workcell_file.js";
 
 const kUsualColor = 10;
@@ -20,10 +22,13 @@ function tableOf({ carousel, ...robot }) {
 
 export class WorkcellPanel {
   /**
-   * `call` and `getModel` call the server; `mayCall()` returns whether the page has control access.
+   * `call` and `getModel` call the server; `mayCall()` returns whether the page has control access. `onRefused(reason)` is called for a
+   * change that the page does not ask for, `onDone(what, undo)` after one that was
+   * made; it returns a function that removes its message.
    */
-  constructor({ host, call, getModel, mayCall, onError }) {
-    Object.assign(this, { call, mayCall, onError, chosen: null });
+  constructor({ host, call, getModel, mayCall, onError, onRefused, onDone }) {
+    Object.assign(this, { call, mayCall, onError, onRefused, onDone, chosen: null });
+    this.undo = new Undo(() => this.#showUndo());
     const part = (id) => host.querySelector(`#${id}`);
     this.status = part("workcell-status");
     this.files = new Map(); // size_mm and color of each block, from the model
@@ -98,12 +103,51 @@ export class WorkcellPanel {
 
   /** Moves a block; `change` is xyz_mm or yaw_deg. Resolves to whether the server did so. */
   async place(name, change) {
+    const before = this.#blocks().find((block) => block.name === name);
+    if (!before) return false;
+    const refusal = this.#refusalOf({ ...before, ...change });
+    if (refusal) {
+      this.#draw();
+      this.onRefused(refusal);
+      return false;
+    }
+    const isDone = await this.#move(name, change);
+    if (isDone) this.#noteMove(before, change);
+    return isDone;
+  }
+
+  async #move(name, change) {
     const wanted = { ...this.wanted.get(name), ...change };
     this.wanted.set(name, wanted);
     this.#draw();
     const isDone = await this.#ask("block_move", { name, ...change });
     if (this.wanted.get(name) === wanted) this.#settle(name, isDone ? wanted : {});
     return isDone;
+  }
+
+  /** Why a block may not stand there; null if it may. */
+  #refusalOf(block) {
+    const other = standsIn(block, this.#blocks());
+    if (other) return `${block.name} would stand in ${other.name}. It stays where it was.`;
+    const depth = belowTable(block, this.surface);
+    return depth > 0 ? `${block.name} would stand ${Number(depth.toFixed(1))} mm below the table. It stays where it was.` : null;
+  }
+
+  #noteMove(before, change) {
+    const { name } = before;
+    const back = Object.fromEntries(Object.keys(change).map((key) => [key, before[key]]));
+    const [x, y] = change.xyz_mm ?? before.xyz_mm;
+    const what = change.yaw_deg === undefined ? `${name} moved to x ${Math.round(x)}, y ${Math.round(y)}` : `${name} turned to ${Math.round(change.yaw_deg)}°`;
+    this.#note(what, name, () => this.#move(name, change), () => this.#move(name, back));
+  }
+
+  #note(what, of, redo, undo) {
+    const forget = this.onDone(what, () => this.undo.undo());
+    const back = () => {
+      forget();
+      return undo();
+    };
+    this.undo.note({ what, of, redo, undo: back });
   }
 
   // Shows the block at the position that the server accepted until the next state arrives.
@@ -126,26 +170,49 @@ export class WorkcellPanel {
   async remove() {
     const name = this.chosen;
     if (!name) return setText(this.status, "Choose a block first.");
-    if (await this.#ask("block_remove", { name })) setText(this.status, `${name} was removed.`);
+    const { size_mm, color, xyz_mm, yaw_deg } = this.#block();
+    if (!(await this.#removeBlock(name))) return;
+    setText(this.status, `${name} was removed.`);
+    this.#note(`${name} was removed`, `remove ${name}`, () => this.#removeBlock(name), () => this.#addBlock({ name, size_mm, xyz_mm, yaw_deg, color }));
+  }
+
+  #removeBlock(name) {
+    return this.#ask("block_remove", { name });
+  }
+
+  async #addBlock(block) {
+    const isDone = await this.#ask("block_add", block);
+    if (isDone) this.added.set(block.name, { size_mm: block.size_mm, color: block.color });
+    return isDone;
   }
 
   /** Adds a block at a free position on the work surface. Resolves to whether the server did so. */
   async add({ name, size, color }) {
     const [x, y] = freePlace({ size_mm: size, blocks: this.#blocks(), ...this.ground });
     const xyz_mm = [x, y, this.surface + size[2] / 2];
-    const isDone = await this.#ask("block_add", { name, size_mm: size, xyz_mm, yaw_deg: 0, color });
-    if (!isDone) return false;
-    this.added.set(name, { size_mm: size, color });
+    const block = { name, size_mm: size, xyz_mm, yaw_deg: 0, color };
+    if (!(await this.#addBlock(block))) return false;
+    this.#note(`${name} was added`, `add ${name}`, () => this.#addBlock(block), () => this.#removeBlock(name));
     this.choose(name);
     setText(this.status, placeText({ name, xyz_mm, yaw_deg: 0, held: false }));
     return true;
   }
 
+  #showUndo() {
+    const [back, again] = [this.undo.done.at(-1), this.undo.undone.at(-1)];
+    const show = (id, name, change) => Object.assign(byId(id), { disabled: !change || !this.mayCall(), title: change ? `${name}: ${change.what}` : `Nothing to ${name.toLowerCase()}` });
+    show("workcell-undo", "Undo", back);
+    show("workcell-redo", "Redo", again);
+  }
+
   save() {
     return this.file.save();
   }
-  load(file) {
-    return this.file.load(file);
+
+  /** The changes before belong to another workcell. */
+  async load(file) {
+    await this.file.load(file);
+    this.undo.forget();
   }
 
   async #ask(fn, args) {
@@ -169,6 +236,8 @@ function connectButtons(workcell) {
   byId("turn-left").onclick = () => workcell.turn(kTurnDegrees);
   byId("turn-right").onclick = () => workcell.turn(-kTurnDegrees);
   byId("block-remove").onclick = () => workcell.remove();
+  byId("workcell-undo").onclick = () => workcell.undo.undo();
+  byId("workcell-redo").onclick = () => workcell.undo.redo();
   byId("block-form").onsubmit = async (event) => {
     event.preventDefault();
     const size = byId("block-size").value.trim().split(/\s+/).map(Number);
