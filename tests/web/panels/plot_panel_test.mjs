@@ -20,7 +20,7 @@ async function move(page, server) {
   }
 }
 
-/** Waits until a canvas has more, or fewer, than 30 pixels of the colour of a custom property. */
+/** Waits until a canvas has more, or fewer, than 10 pixels of the colour of a custom property. */
 const waitForInk = (page, selector, name, isThere = true) => page.waitForFunction(([wanted, property, isWanted]) => {
   const canvas = document.querySelector(wanted);
   const text = getComputedStyle(document.documentElement).getPropertyValue(property).trim();
@@ -30,7 +30,7 @@ const waitForInk = (page, selector, name, isThere = true) => page.waitForFunctio
   const { data } = copy.getImageData(0, 0, canvas.width, canvas.height);
   let count = 0;
   for (let i = 0; i < data.length; i += 4) if (color.every((value, k) => Math.abs(data[i + k] - value) < 6)) ++count;
-  return count > 30 === isWanted;
+  return count > 10 === isWanted;
 }, [selector, name, isThere]);
 
 test("the plots show the motion, and a series can be switched off", () =>

@@ -73,7 +73,7 @@ export class FirstSteps {
     return [
       { title: `Move the ${joint.name}`, what: `The page sends ${command}: ${kCounts} counts, ${amount}.`, button: "Move", act: move },
       ...(block ? [{ title: `Pick up the block ${block.name}`, what: "It takes some seconds. A click on any block does the same.", button: "Pick", act: grasp }] : []),
-      { title: "Connect a program", what: `Programs connect to ${addressOf(port)}. In a terminal: xr3 term, or telnet. In Python: import xr3; robot = xr3.connect()` },
+      { title: "Connect a program", what: `Programs connect to ${addressOf(port)}. In a terminal: xr3 term. In Python: import xr3; robot = xr3.connect()` },
     ];
   }
 
