@@ -65,8 +65,10 @@ test("points are renamed, moved, deleted, overwritten and brought back, by keys,
     assert.match(await focused(page), /^3/);
     await page.keyboard.press("Delete");
     assert.deepEqual(await names(page), ["home", "point 3"]);
+    await status(page, "Undo brings it back");
     await page.click("#points-undo");
     assert.deepEqual(await names(page), ["home", "point 3", "point 2"]);
+    assert.equal(await page.textContent("#teach-status"), "");
     await page.click("#points tr:nth-child(1) button");
     await page.click("#point-overwrite");
     await status(page, "has the present pose");

@@ -113,8 +113,14 @@ export class TeachPanel {
     this.#on("point-down", () => this.#move(1));
     this.#on("point-overwrite", () => this.overwrite());
     this.#on("point-remove", () => this.#remove());
-    this.#on("points-undo", () => this.store.undo());
+    this.#on("points-undo", () => this.#undo());
     this.#part("point-unit").onchange = () => this.#show();
+  }
+
+  /** An undone change takes its message with it. */
+  #undo() {
+    this.store.undo();
+    this.#say("");
   }
 
   async #pose(name) {
