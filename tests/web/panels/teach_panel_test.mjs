@@ -201,7 +201,7 @@ test("without the token points can be recorded and saved, but not played", async
 });
 
 test("a reset while a program is played stops it", () =>
-  withPage(["--clock", "real:0.5"], async (page, server) => {
+  withPage(["--clock", "real:0.2"], async (page, server) => {
     await record(page, server, "F+30\r");
     await type(server.robot, "F-30\r");
     await server.rest();
