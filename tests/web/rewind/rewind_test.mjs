@@ -9,7 +9,7 @@ after(close);
 const slider = "#past-slider";
 const count = "#joints [data-label=F] .count";
 const shows = (page, value) => page.waitForFunction(([selector, wanted]) => document.querySelector(selector).textContent === wanted, [count, String(value)]);
-const kind = (page, wanted) => page.waitForSelector(`#past-notice[data-kind=${wanted}]`);
+const kind = (page, wanted) => page.waitForSelector(`#past-notice[data-kind=${wanted}]`, { state: "attached" });
 
 /** Moves the base by 40 counts, waits a second of simulated time, and moves it by 40 more. */
 async function moveTwice(page, server) {

@@ -9,7 +9,7 @@ after(close);
 
 const slider = "#past-slider";
 const texts = (page) => page.evaluate(() => ["what", "at", "rest"].map((id) => document.querySelector(`#past-${id}`).textContent).join(" "));
-const kind = (page, wanted) => page.waitForSelector(`#past-notice[data-kind=${wanted}]`);
+const kind = (page, wanted) => page.waitForSelector(`#past-notice[data-kind=${wanted}]`, { state: "attached" });
 
 /** The server says that the robot is in the past, or not any more. */
 async function setPast(page, played, past) {
