@@ -8,8 +8,8 @@
 namespace xr3 {
 namespace {
 
-// A person with netcat waits for a greeting; a program sends first. Browsers open a second connection
-// before they need it, and cannot use one that was greeted.
+// A person with netcat waits for a greeting; a program sends first. Browsers open a second
+// connection before they need it, and cannot use one that was greeted.
 constexpr std::chrono::seconds kSilence{3};
 
 }  // namespace
