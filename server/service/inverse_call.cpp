@@ -73,9 +73,7 @@ Json place_json(const Model& model, const ReachedPlace& place) {
 
 monitor::Message unreachable(const monitor::RequestId& id, const Model& model,
                              const Unreachable& no) {
-  monitor::RequestError error{
-      id, "unreachable", text_of(model, no), "", {},
-      {}};
+  monitor::RequestError error{id, "unreachable", text_of(model, no), "", {}, {}};
   error.more = {
       {"cause", name_of(no.obstacle)}, {"amount", rounded_up(no.amount)}, {"nearest", nullptr}};
   if (no.obstacle == Obstacle::kLimit)
