@@ -12,6 +12,7 @@ export function onConnection(status) {
   byId("status").dataset.connection = status;
   byId("status").dataset.kind = status === "open" ? "ready" : "lost";
   setText(byId("status-word"), kWords[status]);
+  byId("status").querySelector("use").setAttribute("href", status === "open" ? "#i-dot" : "#i-lost");
 }
 
 /** Refusals of the token before a page could show them. */
