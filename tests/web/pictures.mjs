@@ -85,7 +85,11 @@ const server = await serve("--clock", "manual");
 const page = await open(server.url, { viewport: kSize });
 await ready(page);
 await closeFirstSteps(page);
-await page.$eval("#banner", (banner) => (banner.style.display = "none")); // the film steps time, which is paused
+await page.waitForSelector("#banner[data-kind=paused]");
+await page.evaluate(() => { // the film steps time: that it is paused is not to be seen
+  for (const id of ["banner", "status"]) document.querySelector(`#${id}`).style.display = "none";
+  document.body.dataset.mood = "";
+});
 let shots = 0;
 
 async function frame() {
