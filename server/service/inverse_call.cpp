@@ -15,7 +15,7 @@ constexpr double kHundredths = 100;
 
 double rounded_up(double value) { return std::ceil(value * kHundredths) / kHundredths; }
 
-/// The motor counts from which the tool moves; nullopt with the label that the robot does not have.
+/// The motor counts from which the tool moves, or a label of `near` that the robot does not have.
 std::variant<Positions, char> start_of(const Cell& cell, const std::map<char, Counts>& near) {
   Positions start{};
   for (int i = 0; i < cell.model().motor_count(); ++i)

@@ -27,7 +27,7 @@ import { byId, el, isSame, setText } from "./lib/dom.js";
 import { JointPanel } from "./inspector/joint_panel.js";
 import { LinesPanel } from "./panels/lines_panel.js";
 import { tip } from "./lib/kinematics.js";
-import { motorFiles, valuesOf } from "./lib/motors.js";
+import { motorFiles } from "./lib/motors.js";
 import { Mover } from "./lib/mover.js";
 import { NoScene } from "./scene/no_scene.js";
 import { PaperView } from "./panels/paper_view.js";
@@ -88,16 +88,13 @@ const mover = new Mover({
 });
 const joints = new JointPanel({
   host: byId("joints"), units: byId("joint-unit"), mover,
-  onPreview: (goal) => scene.showGhost(goal && known.model && valuesAt({ ...countsOf(known.state), ...goal })),
+  onPreview: (goal) => scene.showGhost(goal && hands.valuesAt({ ...countsOf(known.state), ...goal })),
 });
 const hands = new HandMover({ mover, inverse: (args) => connection.call("inverse", args) });
 const tool = new ToolPanel({
-  place: byId("tool-place"), host: byId("jog"), steps: byId("jog-step"), queue: byId("queue"), hands,
-  onRefused: (reason) => showMessage(`Not there: ${reason}.`), onError: showError,
+  place: byId("tool-place"), host: byId("jog"), steps: byId("jog-step"), queue: byId("queue"), hands, onError: showError,
 });
-const blockCard = new BlockCard({
-  host: document.querySelector(".stage"), hands, tool, onRefused: (reason) => showMessage(`Not there: ${reason}.`), onError: showError,
-});
+const blockCard = new BlockCard({ host: document.querySelector(".stage"), hands, tool, onError: showError });
 const firstSteps = new FirstSteps({
   stage: document.querySelector(".stage"), side: document.querySelector(".side"), send: (text) => commandLine.transmit(text),
   pick: (name) => blockCard.pick(name), getPort: robotPort, onError: showError,
@@ -237,6 +234,7 @@ function takeHello(hello) {
   byId("all-cells").hidden = !isOverview("/", hello);
   access.set(hello.access);
   mover.clear();
+  known.contest = null; // its lines may be closed since
   lines.show();
   if (before) wire.reconnected(isSooner(hello, before));
   rewind.reconnected();
@@ -355,7 +353,8 @@ function takeEvent(event) {
 
 /** Two lines that move one joint, until one of them closes or time begins anew. */
 function contestAfter(contest, { event, line, other_line, joint }) {
-  if (event === "contested") return { lines: [other_line, line], joint: motorFiles(known.model.robot).find(({ label }) => label === joint)?.name ?? joint };
+  const motors = known.model ? motorFiles(known.model.robot) : [];
+  if (event === "contested") return { lines: [other_line, line], joint: motors.find(({ label }) => label === joint)?.name ?? joint };
   const ends = event === "epoch" || (event === "line_close" && contest?.lines.includes(line));
   return ends ? null : contest;
 }
@@ -368,11 +367,6 @@ function takeClock({ clock, tick }) {
   rewind.setPresent(known.state);
 }
 
-const valuesAt = (counts) => {
-  const values = valuesOf(known.model.robot, counts);
-  return motorFiles(known.model.robot).map(({ label }) => values[label]);
-};
-
 function showModel(model) {
   for (const view of views) view.setModel(model);
 }
@@ -382,7 +376,7 @@ function showQueue() {
   if (known.state) joints.setState(known.past ?? known.state);
 }
 
-/** What is under the pointer in the picture. */
+/** Shows the place under the pointer, and the name of a block there. */
 function showSpot(spot) {
   byId("reads").hidden = !spot;
   if (!spot) return;
@@ -401,7 +395,7 @@ function showStatus() {
   showMoment(place);
 }
 
-/** What is not of this moment says so. */
+/** Marks the inspector while it does not show the present. */
 function showMoment(place) {
   const isLost = byId("status").dataset.connection !== "open" && known.state;
   byId("moment").hidden = !place && !isLost;

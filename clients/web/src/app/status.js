@@ -30,7 +30,7 @@ export function clockText(ticks, hz) {
 /** @param {any} state */
 const motorsOf = (state) => [...state.joints, state.tool];
 
-/** What waits while time is paused. @param {any} state */
+/** The counts to go while time is paused, as a sentence. @param {any} state */
 function waitingText(state) {
   const waiting = motorsOf(state).filter(({ error }) => error !== 0);
   if (waiting.length === 0) return "Nothing waits to move.";

@@ -99,7 +99,7 @@ export class JointPanel {
     row.slider.focus();
   }
 
-  // --- What the user wants.
+  // --- Input.
 
   /** The counts that bring a joint to a value. @param {any} row @param {number} value degrees or mm @returns {Counts} */
   #countsAt({ file, scale }, value) {
@@ -140,7 +140,7 @@ export class JointPanel {
     else this.#go(row, Math.min(Math.max(wanted, row.range.low), row.range.high));
   }
 
-  // --- What is shown.
+  // --- Display.
 
   /** @param {any} state */
   setState(state) {

@@ -2,7 +2,6 @@
 // The tool: where it is, and buttons that move it along x, y and z, and tilt and turn it. Presses add up in the queue of the mover;
 // a place that the arm cannot reach is refused with its reason and changes nothing.
 import { el, setText, whileHeld } from "../lib/dom.js";
-import { Refused } from "../lib/refusal.js";
 import { handOf } from "../lib/hand.js";
 import { mmPerUnit } from "../lib/kinematics.js";
 import { recall, remember } from "../lib/memory.js";
@@ -27,13 +26,12 @@ const text = (/** @type {number} */ value) => (Math.abs(value) < 0.05 ? 0 : valu
 export class ToolPanel {
   /**
    * @param {{place: HTMLElement, host: HTMLElement, steps: HTMLElement, queue: HTMLElement, hands: import("../lib/hand_mover.js").HandMover,
-   *   onRefused: (reason: string) => void, onError: (error: unknown) => void}} parts
+   *   onError: (error: unknown) => void}} parts
    */
-  constructor({ place, host, steps, queue, hands, onRefused, onError }) {
+  constructor({ place, host, steps, queue, hands, onError }) {
     this.queue = queue;
     this.hands = hands;
     this.mover = hands.mover;
-    this.onRefused = onRefused;
     this.onError = onError;
     this.turn = Promise.resolve(); // serializes presses: each begins where the previous one ends
     this.values = kPlaces.map(() => el("dd"));
@@ -98,11 +96,11 @@ export class ToolPanel {
     if (this.isHeld && this.mover.queue.length < kMostHeld) await this.nudge(way);
   }
 
-  // --- What the user wants.
+  // --- Input.
 
   /** Moves the hand by a step. @param {Way} way */
   nudge(way) {
-    this.turn = this.turn.then(() => this.#nudge(way)).catch((error) => this.#failed(error));
+    this.turn = this.turn.then(() => this.#nudge(way)).catch(this.onError);
     return this.turn;
   }
 
@@ -124,13 +122,7 @@ export class ToolPanel {
     this.mover.add({ [label]: shut }, { grips: true });
   }
 
-  /** @param {unknown} error */
-  #failed(error) {
-    if (error instanceof Refused && error.code === "unreachable") this.onRefused(error.message);
-    else this.onError(error);
-  }
-
-  // --- What is shown.
+  // --- Display.
 
   /** @param {import("../lib/monitor_types").Model} model */
   setModel({ robot }) {

@@ -3,7 +3,7 @@
 // that many small steps do not add up the rounding of counts. Independent of the page.
 import { countsOf } from "./drive.js";
 import { handOf } from "./hand.js";
-import { valuesOf } from "./motors.js";
+import { motorFiles, valuesOf } from "./motors.js";
 
 /**
  * @typedef {import("./drive.js").Counts} Counts
@@ -41,10 +41,10 @@ export class HandMover {
     return { counts, hand: isThere ? this.last.hand : handOf(this.robot, this.valuesAt(counts)) };
   }
 
-  /** The values of the joints at counts. @param {Counts} counts */
+  /** The values of all motors at counts, in the order of `motorFiles`. @param {Counts} counts */
   valuesAt(counts) {
     const values = /** @type {Record<string, number>} */ (valuesOf(this.robot, counts));
-    return this.robot.joints.map(({ label }) => values[label]);
+    return motorFiles(this.robot).map(({ label }) => values[label]);
   }
 
   /** Asks for the counts at a place. @param {Hand} hand @param {Counts} near */

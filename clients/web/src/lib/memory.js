@@ -1,5 +1,5 @@
 // @ts-check
-// What the page remembers in this browser: theme, sizes, open panels, layers, units. Only what a user chose; without storage
+// Settings of the page that the browser keeps: theme, sizes, open panels, layers, units. Only what a user chose; without storage
 // (a private window, a locked-down school computer) the page works and forgets.
 
 const kKey = "xr3.page";

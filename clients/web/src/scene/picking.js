@@ -1,5 +1,5 @@
 // @ts-check
-// What lies under the pointer: a block, or the table. Lengths in mm.
+// Finds the block or the point of the table under the pointer. Lengths in mm.
 import * as THREE from "three";
 
 const kClickPx = 5; // a pointer that moves less clicks

@@ -3,7 +3,6 @@
 import { el, setText } from "../lib/dom.js";
 import { mmPerUnit } from "../lib/kinematics.js";
 import { colorOf } from "../lib/palette.js";
-import { Refused } from "../lib/refusal.js";
 
 /**
  * @typedef {import("../lib/hand.js").Hand} Hand
@@ -19,13 +18,12 @@ const number = (/** @type {number} */ value) => (Math.abs(value) < 0.05 ? 0 : va
 export class BlockCard {
   /**
    * @param {{host: HTMLElement, hands: import("../lib/hand_mover.js").HandMover, tool: import("../inspector/tool_panel.js").ToolPanel,
-   *   onRefused: (reason: string) => void, onError: (error: unknown) => void}} parts `host` is the stage
+   *   onError: (error: unknown) => void}} parts `host` is the stage
    */
-  constructor({ host, hands, tool, onRefused, onError }) {
+  constructor({ host, hands, tool, onError }) {
     this.host = host;
     this.hands = hands;
     this.tool = tool;
-    this.onRefused = onRefused;
     this.onError = onError;
     /** @type {string | null} */
     this.name = null;
@@ -39,7 +37,7 @@ export class BlockCard {
     this.facts = { size: el("dd"), centre: el("dd"), turned: el("dd") };
     const close = el("button.icon.quiet", { type: "button", "aria-label": "Close", title: "Close", onclick: () => this.close() }, "×");
     const act = (/** @type {string} */ name, /** @type {() => Promise<void>} */ run, style = "") => {
-      const button = el(`button${style}`, { type: "button", onclick: () => this.#run(run) }, name);
+      const button = el(`button${style}`, { type: "button", onclick: () => run().catch(this.onError) }, name);
       button.dataset.call = "send";
       return button;
     };
@@ -95,17 +93,7 @@ export class BlockCard {
     return this.blocks?.find((/** @type {Block} */ { name }) => name === wanted);
   }
 
-  // --- What the arm does with it.
-
-  /** @param {() => Promise<void>} act */
-  async #run(act) {
-    try {
-      await act();
-    } catch (error) {
-      if (error instanceof Refused && error.code === "unreachable") this.onRefused(error.message);
-      else this.onError(error);
-    }
-  }
+  // --- Motions.
 
   /** The hand straight down over a block, the jaws across its narrower side. @param {Block} block @param {number} z @returns {Hand} */
   #handAt({ name, xyz_mm, yaw_deg }, z) {

@@ -77,7 +77,7 @@ export class TipDrag {
     this.scene.dropTip();
   }
 
-  // --- Where it is wanted. At most one question is under way; the latest wish wins.
+  // --- The wanted place. At most one request is under way; the latest place wins.
 
   /** @param {number[]} xyz */
   #want(xyz) {
@@ -121,10 +121,10 @@ export class TipDrag {
     const [x, y, z] = (answer?.reason === null ? this.wanted : answer ?? this.wanted).xyz_mm.map(number);
     const isThere = answer?.reason === null;
     this.label.classList.toggle("is-refused", !isThere);
-    setText(what, isThere ? `x ${x}  y ${y}  z ${z} mm` : `Not there: ${answer?.reason ?? this.reason}.`);
+    setText(what, isThere ? `x ${x}  y ${y}  z ${z} mm` : answer?.reason ?? this.reason);
     setText(hint, this.#hint(answer, `x ${x}  y ${y}  z ${z} mm`));
     this.label.hidden = false;
-    this.scene.showGhost(answer && [...this.hands.valuesAt(answer.counts), this.hands.state.tool.value], !isThere);
+    this.scene.showGhost(answer && this.hands.valuesAt(answer.counts), !isThere);
     this.scene.holdTip((answer ?? this.wanted).xyz_mm);
     this.#placeLabel();
   }
