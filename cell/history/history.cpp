@@ -104,15 +104,28 @@ bool History::covers(const ReplayTime& time) const {
   });
 }
 
+/// The first part that begins after a time.
+std::deque<History::Part>::const_iterator History::part_after(const ReplayTime& time) const {
+  return std::upper_bound(
+      parts_.begin(), parts_.end(), time,
+      [](const ReplayTime& wanted, const Part& part) { return wanted < part->from(); });
+}
+
 // The last part still grows, so it is copied.
 HistoryPartPtr History::part_before(const ReplayTime& time) const {
   if (!covers(time)) return nullptr;
-  const auto after = std::upper_bound(
-      parts_.begin(), parts_.end(), time,
-      [](const ReplayTime& wanted, const Part& part) { return wanted < part->from(); });
+  const auto after = part_after(time);
   assert(after != parts_.begin());
   const Part& part = *std::prev(after);
   return part == parts_.back() ? std::make_shared<const HistoryPart>(*part) : part;
+}
+
+Tick History::end_of_part(const ReplayTime& time) const {
+  assert(covers(time));
+  const auto after = part_after(time);
+  if (after != parts_.end() && (*after)->from().epoch == time.epoch) return (*after)->from().tick;
+  const std::vector<EpochSpan> all = epochs();
+  return std::ranges::find(all, time.epoch, &EpochSpan::epoch)->to;
 }
 
 // --- Inputs.

@@ -66,6 +66,9 @@ class History final : private Recorder, private monitor::ByteBudget::Account {
   /// nullptr: the history does not cover that time.
   HistoryPartPtr part_before(const ReplayTime& time) const;
 
+  /// The last tick of the same epoch that this part can make. Precondition: covers(time).
+  Tick end_of_part(const ReplayTime& time) const;
+
   /// An estimate of its memory.
   std::size_t used_bytes() const { return used_; }
   /// The number of its parts.
@@ -80,6 +83,7 @@ class History final : private Recorder, private monitor::ByteBudget::Account {
   std::size_t bytes() const override { return granted_; }
   void shrink() override;
 
+  std::deque<Part>::const_iterator part_after(const ReplayTime& time) const;
   ReplayTime now() const { return {cell_.epoch(), cell_.state().tick}; }
   template <class Entry>
   void add(Entry&& entry);

@@ -4,12 +4,16 @@
 
 namespace xr3 {
 
-Past make_past(const recording::Header& header, const HistoryPart& part, const ReplayTime& time) {
-  Past past;
-  past.cell =
+std::unique_ptr<Cell> cell_at_start(const recording::Header& header, const HistoryPart& part) {
+  auto cell =
       std::make_unique<Cell>(header.cell, header.model, replay_clock(header), CellEventSink{});
-  prepare_replay(*past.cell, header);
-  past.cell->restore(part.start);
+  prepare_replay(*cell, header);
+  cell->restore(part.start);
+  return cell;
+}
+
+Past make_past(const recording::Header& header, const HistoryPart& part, const ReplayTime& time) {
+  Past past{cell_at_start(header, part), {}};
   Replayer replayer(*past.cell, Compared::kNothing);
   replayer.stop_at(time);
   part.inputs.for_each([&](const recording::Entry& entry) {

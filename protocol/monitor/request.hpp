@@ -111,6 +111,12 @@ struct Look {
   PastTime at;
   std::vector<Selection> selections;  ///< selections of latest-wins channels
 };
+/// States of the past, one every so many ticks.
+struct Trace {
+  PastTime from;
+  Tick every = 0;  ///< > 0
+  Fields fields;   ///< members of each state; nullopt for all
+};
 struct Live {};
 /// Takes the cell back to a time of its history.
 struct Seek {
@@ -128,7 +134,7 @@ struct Describe {
 struct CallRequest {
   std::string fn;
   std::variant<call::Call, Send, FindCounts, ListLines, ListCells, ListFaults, DisconnectLine,
-               ReleasePeer, ReadTranscript, ReadHistory, Look, Live, Seek, Branch, Describe>
+               ReleasePeer, ReadTranscript, ReadHistory, Look, Trace, Live, Seek, Branch, Describe>
       call;
   std::optional<After> after;  ///< step and run_until only
   Fields fields;               ///< step and run_until only: members of the state in the result

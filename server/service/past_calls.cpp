@@ -7,6 +7,7 @@
 
 #include "cell/frames.hpp"
 #include "cell/history/past.hpp"
+#include "cell/history/trace.hpp"
 #include "protocol/explain/event_report.hpp"
 #include "server/net/wall_clock.hpp"
 
@@ -14,6 +15,7 @@ namespace xr3 {
 namespace {
 
 constexpr std::size_t kMaxMarks = 500;
+constexpr Tick kMostStates = 2000;          ///< that a trace looks at; it gives those that differ
 constexpr std::int64_t kEventsAtOnce = 64;  ///< some 5 us each
 
 call::Refused no_history(const HostedCell& at) {
@@ -114,6 +116,31 @@ Made make(const recording::Header& header, const HistoryPart& part, const Replay
   return made;
 }
 
+// --- States of the past, made in the worker.
+
+struct Traced {
+  Json value;
+  ReplayTime end;
+  std::optional<Difference> difference;
+};
+
+Traced trace_json(const recording::Header& header, const HistoryPart& part, const TraceSpan& span,
+                  const Fields& fields) {
+  PastTrace trace = trace_past(header, part, span);
+  Json states = Json::array();
+  for (const Snapshot& state : trace.states) {
+    Json members = state_json(*header.model, state, fields);
+    states.push_back({{"tick", state.state.tick}, {"state", std::move(members)}});
+  }
+  const Epoch epoch = part.from().epoch;
+  Json value = {{"epoch", epoch}, {"states", std::move(states)}};
+  return {std::move(value), {epoch, span.to}, std::move(trace.difference)};
+}
+
+ReplayTime time_of(const monitor::PastTime& wanted, const CallOf& of) {
+  return {wanted.epoch.value_or(of.cell().epoch()), wanted.tick};
+}
+
 /// Whether the cell keeps a history; refuses the call if not.
 bool has_history(const CallOf& of) {
   of.cell().catch_up(wall_now());
@@ -132,12 +159,12 @@ struct PastCalls::Moment {
   std::vector<monitor::Message> frames;
 };
 
-/// Sends the error and gives nothing if the time is not kept.
-asio::awaitable<std::optional<PastCalls::Moment>> PastCalls::make_moment(
-    CallOf of, monitor::PastTime wanted, std::vector<monitor::Selection> selections) {
-  if (!has_history(of)) co_return std::nullopt;
+/// Calls `work` in the worker with the part of the history from which a time can be made, and the
+/// last tick of the part. Sends the error and gives nothing if the time is not kept.
+template <class Work>
+asio::awaitable<std::optional<std::invoke_result_t<Work, const HistoryPart&, Tick>>>
+PastCalls::make_from(CallOf of, ReplayTime time, Work work) {
   const CellPtr& at = of.at;
-  const ReplayTime time{wanted.epoch.value_or(at->cell().epoch()), wanted.tick};
   const auto refuse = [&](const call::Refused& why) { of.session.send(refused(of.id(), why)); };
   co_await making_.until_free();
   const Exclusive::Hold hold(making_);
@@ -146,11 +173,10 @@ asio::awaitable<std::optional<PastCalls::Moment>> PastCalls::make_moment(
     refuse(not_kept(time, at->history()->epochs()));
     co_return std::nullopt;
   }
-  auto work = [header = recording_header(at->cell(), ""), part, time,
-               selections = std::move(selections)] {
-    return make(header, *part, time, selections);
+  auto job = [part, end = at->history()->end_of_part(time), work = std::move(work)] {
+    return work(*part, end);
   };
-  Made made = co_await worker_.run(std::move(work));
+  auto made = co_await worker_.run(std::move(job));
   if (made.difference) {
     refuse({"not_repeatable", "the history does not fit itself: " + to_text(*made.difference),
             "this is a defect of xr3; please report it with this message"});
@@ -159,9 +185,20 @@ asio::awaitable<std::optional<PastCalls::Moment>> PastCalls::make_moment(
   } else if (!at->history()->covers(time)) {
     refuse(not_kept(time, at->history()->epochs()));
   } else {
-    co_return Moment{std::move(made.machine), time, made.time, std::move(made.frames)};
+    co_return made;
   }
   co_return std::nullopt;
+}
+
+asio::awaitable<std::optional<PastCalls::Moment>> PastCalls::make_moment(
+    CallOf of, monitor::PastTime wanted, std::vector<monitor::Selection> selections) {
+  if (!has_history(of)) co_return std::nullopt;
+  const ReplayTime time = time_of(wanted, of);
+  auto work = [header = recording_header(of.cell(), ""), time, selections = std::move(selections)](
+                  const HistoryPart& part, Tick) { return make(header, part, time, selections); };
+  std::optional<Made> made = co_await make_from(of, time, std::move(work));
+  if (!made) co_return std::nullopt;
+  co_return Moment{std::move(made->machine), time, made->time, std::move(made->frames)};
 }
 
 asio::awaitable<void> PastCalls::carry_out(CallOf of, const monitor::Look& look) {
@@ -173,6 +210,21 @@ asio::awaitable<void> PastCalls::carry_out(CallOf of, const monitor::Look& look)
     client.send(monitor::as_past(frame, of.id()));
   client.send(
       monitor::result(of.id(), {{"epoch", moment->time.epoch}, {"tick", moment->time.tick}}));
+}
+
+// A call gives one part of the history, and a bounded number of states: `next` says where to go on.
+asio::awaitable<void> PastCalls::carry_out(CallOf of, const monitor::Trace& trace) {
+  if (!has_history(of)) co_return;
+  auto work = [header = recording_header(of.cell(), ""), from = trace.from.tick,
+               every = trace.every, fields = trace.fields](const HistoryPart& part, Tick end) {
+    const Tick to = std::min(end, from + kMostStates * every);
+    return trace_json(header, part, {from, to, every}, fields);
+  };
+  std::optional<Traced> traced = co_await make_from(of, time_of(trace.from, of), std::move(work));
+  if (!traced) co_return;
+  const bool goes_on = of.at->history()->covers({traced->end.epoch, traced->end.tick + 1});
+  traced->value["next"] = goes_on ? Json(traced->end.tick) : Json();
+  of.session.send(monitor::result(of.id(), traced->value));
 }
 
 asio::awaitable<void> PastCalls::carry_out(CallOf of, const monitor::Seek& seek) {

@@ -1,9 +1,10 @@
-// The calls of monitor sessions on the past of a cell: `history`, `look`, `live`, `seek` and
-// `branch`. A time of the past is made in the worker, one at a time.
+// The calls of monitor sessions on the past of a cell: `history`, `look`, `trace`, `live`,
+// `seek` and `branch`. A time of the past is made in the worker, one at a time.
 #pragma once
 
 #include <functional>
 #include <optional>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -31,12 +32,16 @@ class PastCalls {
   // Each answers the call itself.
   asio::awaitable<void> carry_out(CallOf of, const monitor::ReadHistory&);
   asio::awaitable<void> carry_out(CallOf of, const monitor::Look& look);
+  asio::awaitable<void> carry_out(CallOf of, const monitor::Trace& trace);
   static asio::awaitable<void> carry_out(CallOf of, const monitor::Live&);
   asio::awaitable<void> carry_out(CallOf of, const monitor::Seek& seek);
   asio::awaitable<void> carry_out(CallOf of, const monitor::Branch& branch);
 
  private:
   struct Moment;
+  template <class Work>
+  asio::awaitable<std::optional<std::invoke_result_t<Work, const HistoryPart&, Tick>>> make_from(
+      CallOf of, ReplayTime time, Work work);
   asio::awaitable<std::optional<Moment>> make_moment(CallOf of, monitor::PastTime wanted,
                                                      std::vector<monitor::Selection> selections);
 

@@ -46,6 +46,10 @@ def looks(**more):
     return [ask_cell("look", tick=tick, epoch=0, **more) for tick in moments()]
 
 
+def traces():
+    return [ask_cell("trace", tick=tick, epoch=0, every=10) for tick in moments()]
+
+
 def seeks():
     """Each is followed by the next without `resume`: what came after stays, and is searched again."""
     return [ask_cell("seek", tick=tick, epoch=0) for tick in moments()]
@@ -65,6 +69,7 @@ ATTACKS = [
     Beside("past.look", flood(looks()), options=TWO),
     Beside("past.look-at-all", flood(looks(channels=CHANNELS)), options=TWO),
     Beside("past.look-many-clients", flood(looks(), count=20), options=TWO),
+    Beside("past.trace", flood(traces(), count=4), options=TWO),
     Beside("past.history", flood([ask_cell("history")], count=4), options=TWO),
     Beside("past.seek", flood(seeks()), options=TWO),
     Beside("past.parts", flood(parts()), options=TWO),

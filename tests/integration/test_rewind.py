@@ -83,10 +83,40 @@ class Rewind(unittest.TestCase):
             self.assertIn("epoch 0 from tick 0 to 50", no.hint)
             self.assertEqual("not_kept", self.refused(monitor, "seek", tick=0, epoch=7).code)
 
+    def test_a_trace_of_the_past(self):
+        with Server() as xr3, xr3.monitor() as monitor, xr3.line() as line:
+            line.send("E+60\r")
+            monitor.step(300, after=line)
+            monitor.call("step", ticks=20_000)
+            value = monitor.call("trace", tick=0, every=50, fields=["joints"])
+            states = value["states"]
+            self.assertEqual((0, None), (value["epoch"], value["next"]))
+            self.assertEqual([0, 50, 100], [state["tick"] for state in states[:3]])
+            self.assertEqual(20_300, states[-1]["tick"])
+            self.assertLess(len(states), 100)
+            self.assertEqual({"joints"}, set(states[0]["state"]))
+            frames, _ = self.look(monitor, tick=100)
+            self.assertEqual(frames["state"]["joints"], states[2]["state"]["joints"])
+            self.assertEqual("not_kept", self.refused(monitor, "trace", tick=30_000).code)
+
+    def test_a_long_trace_takes_several_calls(self):
+        with Server() as xr3, xr3.monitor() as monitor, xr3.line() as line:
+            for move in 5 * ("E+100\r", "E-100\r"):
+                line.send(move)
+                monitor.step(5000, after=line)
+            ticks, tick = [], 0
+            while tick is not None:
+                value = monitor.call("trace", tick=tick, every=10, fields=[])
+                ticks += [state["tick"] for state in value["states"]]
+                self.assertTrue(value["next"] is None or value["next"] > tick)
+                tick = value["next"]
+            self.assertEqual(sorted(ticks), ticks)
+            self.assertEqual((0, 50_000), (ticks[0], ticks[-1]))
+
     def test_without_history(self):
         with Server("--history", "0") as xr3, xr3.monitor() as monitor:
             monitor.call("step", ticks=50)
-            for fn, args in (("history", {}), ("look", {"tick": 1}), ("seek", {"tick": 1}), ("branch", {"tick": 1})):
+            for fn, args in (("history", {}), ("look", {"tick": 1}), ("trace", {"tick": 1}), ("seek", {"tick": 1}), ("branch", {"tick": 1})):
                 self.assertEqual("no_history", self.refused(monitor, fn, **args).code, fn)
 
     # --- Going back.

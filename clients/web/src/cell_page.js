@@ -23,6 +23,7 @@ import { ControlLock } from "./panels/control_lock.js";
 import { DeviceNotice } from "./panels/device_notice.js";
 import { DigitalLines } from "./inspector/digital_lines.js";
 import { BlockCard } from "./stage/block_card.js";
+import { BlockDrag } from "./stage/block_drag.js";
 import { byId, el, isSame, setText } from "./lib/dom.js";
 import { JointPanel } from "./inspector/joint_panel.js";
 import { LinesPanel } from "./panels/lines_panel.js";
@@ -77,6 +78,7 @@ function allow() {
   if (!lock.isFree) {
     mover.clear();
     tipDrag.cancel();
+    blockDrag.cancel();
   }
   timeBar.allow();
   teach.allow();
@@ -105,7 +107,11 @@ async function robotPort() {
   const { cells } = await connection.call("cells");
   return cells.find(({ name }) => name === known.hello.cell)?.robot_port ?? null;
 }
-scene.picking.onClick = (spot, { offsetX, offsetY }) => (spot?.name ? blockCard.open(spot.name, { x: offsetX, y: offsetY }) : blockCard.close());
+scene.picking.onClick = (spot, { offsetX, offsetY }) => {
+  if (!spot?.name) return blockCard.close();
+  blockCard.open(spot.name, { x: offsetX, y: offsetY });
+  workcell.choose(spot.name);
+};
 scene.picking.onPoint = showSpot;
 const tipDrag = new TipDrag({ host: document.querySelector(".stage"), scene, hands, mayMove: () => lock.isFree && isOpen(), onError: showError });
 const camera = new CameraPanel(byId("camera"), byId("camera-caption"));
@@ -130,6 +136,8 @@ const workcell = new WorkcellPanel({
   host: byId("workcell-panel"), call: (fn, args) => connection.call(fn, args), getModel: () => connection.get("model"), mayCall: () => lock.isFree, onError: showError,
   onRefused: showMessage, onDone: (what, undo) => messages.show(what, { name: "Undo", act: undo }),
 });
+const isHeld = (name) => known.state?.blocks.some((block) => block.name === name && block.held);
+const blockDrag = new BlockDrag({ host: document.querySelector(".stage"), scene, workcell, mayMove: (name) => lock.isFree && isOpen() && !isHeld(name) });
 const timeBar = new TimeBar({
   known, call, lock, isOpen, onTick: (tick) => paper.tick(tick),
 });
@@ -173,6 +181,7 @@ const kKeys = [
   { keys: ["g"], shown: "G", does: "take the tip: arrow keys x and y, Page keys z, Enter goes", act: () => tipDrag.begin() },
   { keys: ["o"], shown: "O", does: "open the jaws", act: () => byId("jaws-open").click() },
   { keys: ["c"], shown: "C", does: "close the jaws", act: () => byId("jaws-close").click() },
+  { keys: ["[", "]"], shown: "[ ]", does: "turn the chosen block by 5 degrees", act: ({ key }) => workcell.turn(key === "[" ? 5 : -5) },
   { keys: ["0"], shown: "0", does: "show all", act: () => byId("show-all").click() },
   { keys: ["f"], shown: "F", does: "full screen", act: () => byId("full-screen").click() },
   { keys: ["l"], shown: "L", does: "layers", act: () => byId("layers-button").click() },
@@ -287,18 +296,17 @@ function takeModel(model) {
   known.model = model;
   if (known.hello) showName(model.robot.name);
   showModel(model);
-  takeRobot(model.robot);
   for (const panel of [plots, teach, firstSteps]) panel.setModel(model);
   lock.apply();
-  if (known.state) takeState(known.state);
+  if (!isSame(model.robot, known.robot)) takeRobot(model.robot);
 }
 
-/** Models also arrive when blocks move: motions go on then. */
+/** Models also arrive when blocks move: motions go on then, and the panels have newer places of the blocks than the last state. */
 function takeRobot(robot) {
-  if (isSame(robot, known.robot)) return;
   known.robot = robot;
   mover.setRobot(robot);
   hands.setRobot(robot);
+  if (known.state) takeState(known.state);
 }
 
 function takeState(state) {

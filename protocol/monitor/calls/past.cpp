@@ -1,4 +1,4 @@
-// The calls on the past: `history`, `look`, `live`, `seek` and `branch`.
+// The calls on the past: `history`, `look`, `trace`, `live`, `seek` and `branch`.
 #include <set>
 #include <utility>
 
@@ -7,6 +7,11 @@
 
 namespace xr3::monitor {
 namespace {
+
+// Ticks from one state of a trace to the next.
+constexpr std::int64_t kMinEvery = 10;
+constexpr std::int64_t kMaxEvery = 3'600'000;
+constexpr std::int64_t kUsualEvery = 100;
 
 PastTime read_past_time(ArgsReader& args) {
   PastTime at;
@@ -39,6 +44,14 @@ CallValue read_look(ArgsReader& args) {
   return look;
 }
 
+CallValue read_trace(ArgsReader& args) {
+  Trace trace{read_past_time(args), 0, {}};
+  trace.every =
+      args.integer("every", kMinEvery, kMaxEvery, Presence::kOptional).value_or(kUsualEvery);
+  trace.fields = args.fields("fields", Channel::kState);
+  return trace;
+}
+
 CallValue read_seek(ArgsReader& args) { return Seek{read_past_time(args)}; }
 
 CallValue read_branch(ArgsReader& args) { return Branch{read_past_time(args)}; }
@@ -47,6 +60,7 @@ constexpr CallForm kPastCalls[] = {
     {"history", "Gives the times that can be seen again, and their events.",
      read_nothing<ReadHistory>},
     {"look", "Shows a time of the past to this client only.", read_look},
+    {"trace", "Gives states of the past, one every so many ticks.", read_trace},
     {"live", "Ends look: this client sees the present again.", read_nothing<Live>},
     {"seek", "Takes the cell back to a time of its past, where it waits for resume.", read_seek},
     {"branch", "Opens a new cell that goes on from a time of this one's past.", read_branch},

@@ -25,7 +25,8 @@ const clamp = (value, low, high) => Math.min(Math.max(value, low), high);
 
 export class Plan {
   /**
-   * `acts` has choose(name or null), place(name, xyz_mm), turn(degrees), remove() and mayMove().
+   * `acts` has choose(name or null), place(name, xyz_mm), turn(degrees), remove(), mayMove(), and point([x, y] or null), which gets the
+   * place under the pointer.
    */
   constructor(host, acts) {
     Object.assign(this, { host, acts, blocks: [], shapes: new Map(), chosen: null, dragged: null });
@@ -35,6 +36,7 @@ export class Plan {
     new ResizeObserver(() => this.#sizeHalos()).observe(host);
     host.addEventListener("pointerdown", (event) => this.#grab(event));
     host.addEventListener("pointermove", (event) => this.#drag(event));
+    host.addEventListener("pointerleave", () => this.acts.point(null));
     host.addEventListener("pointerup", () => this.#drop());
     host.addEventListener("pointercancel", () => this.#letGo());
     host.addEventListener("keydown", (event) => this.#key(event));
@@ -140,7 +142,7 @@ export class Plan {
   }
 
   /** The position clamped to the visible area. */
-  #within([x, y, z]) {
+  within([x, y, z]) {
     const { left, top, width, height } = this.area;
     const edge = kMargin / 2;
     return [clamp(x, left + edge, left + width - edge), -clamp(-y, top + edge, top + height - edge), z];
@@ -156,10 +158,11 @@ export class Plan {
     this.host.setPointerCapture(event.pointerId);
   }
   #drag(event) {
-    if (!this.dragged || !event.isPrimary) return;
     const [x, y] = this.#toWorld(event);
+    this.acts.point([x, y]);
+    if (!this.dragged || !event.isPrimary) return;
     const { off, at } = this.dragged;
-    Object.assign(this.dragged, { at: this.#within([x + off[0], y + off[1], at[2]]), moved: true });
+    Object.assign(this.dragged, { at: this.within([x + off[0], y + off[1], at[2]]), moved: true });
     this.setBlocks(this.blocks);
   }
   #drop() {
@@ -181,7 +184,7 @@ export class Plan {
   }
   #runKey(key, { name, xyz_mm: [x, y, z] }) {
     const [dx, dy] = kArrows[key] ?? [];
-    if (kArrows[key]) this.acts.place(name, this.#within([x + dx * kMoveStep, y + dy * kMoveStep, z]));
+    if (kArrows[key]) this.acts.place(name, this.within([x + dx * kMoveStep, y + dy * kMoveStep, z]));
     else if (kTurns[key]) this.acts.turn(kTurns[key] * kTurnStep);
     else if (key === "Delete") this.acts.remove();
     else return false;

@@ -37,6 +37,7 @@ export class WorkcellPanel {
     this.plan = new Plan(part("plan"), {
       choose: (name) => this.choose(name), place: (name, xyz_mm) => this.place(name, { xyz_mm }),
       turn: (degrees) => this.turn(degrees), remove: () => this.remove(), mayMove: mayCall,
+      point: (at) => setText(part("plan-at"), at ? `x ${Math.round(at[0])} y ${Math.round(at[1])} mm` : ""),
     });
     this.table = new BlockTable(part("blocks"), { onChoose: (name) => this.choose(name) });
     this.chosenBlock = new ChosenBlock({ text: part("chosen"), form: part("place-form"), place: (name, change) => this.place(name, change) });
@@ -131,6 +132,17 @@ export class WorkcellPanel {
     if (other) return `${block.name} would stand in ${other.name}. It stays where it was.`;
     const depth = belowTable(block, this.surface);
     return depth > 0 ? `${block.name} would stand ${Number(depth.toFixed(1))} mm below the table. It stays where it was.` : null;
+  }
+
+  /** Why a block may not stand at a place; null if it may. */
+  refusalAt(name, xyz_mm) {
+    const block = this.#blocks().find((each) => each.name === name);
+    return block ? this.#refusalOf({ ...block, xyz_mm }) : null;
+  }
+
+  /** A place on the plan. */
+  within(xyz) {
+    return this.plan.within(xyz);
   }
 
   #noteMove(before, change) {

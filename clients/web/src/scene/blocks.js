@@ -10,6 +10,7 @@ export class Blocks {
     this.group = new THREE.Group();
     this.group.name = "blocks";
     this.theme = "light";
+    this.lifted = null; // { name, xyz } of the block that is drawn elsewhere
   }
 
   setWorkcell(workcell, theme) {
@@ -55,7 +56,7 @@ export class Blocks {
       mesh.matrix.multiplyMatrices(tool, mesh.userData.inTool);
     } else {
       mesh.matrix.makeRotationZ(THREE.MathUtils.degToRad(block.yaw_deg));
-      mesh.matrix.setPosition(...block.xyz_mm);
+      mesh.matrix.setPosition(...(this.lifted?.name === block.name ? this.lifted.xyz : block.xyz_mm));
       mesh.userData.inTool = block.held ? tool.clone().invert().multiply(mesh.matrix) : null;
     }
     mesh.matrixWorldNeedsUpdate = true;

@@ -27,7 +27,12 @@ export class Picking {
   #up(event) {
     const { down } = this;
     this.down = null;
-    if (down && Math.hypot(event.clientX - down.x, event.clientY - down.y) < kClickPx) this.onClick(this.at(event), event);
+    if (down && Math.hypot(event.clientX - down.x, event.clientY - down.y) < kClickPx) this.click(event);
+  }
+
+  /** @param {PointerEvent} event */
+  click(event) {
+    this.onClick(this.at(event), event);
   }
 
   /** @param {PointerEvent} event @returns {Spot | null} null above the horizon */

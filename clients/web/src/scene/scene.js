@@ -50,8 +50,9 @@ export class Scene {
     this.theme = "light";
     this.motion = new Motion();
     this.#addParts();
-    this.#catchTip();
     this.picking = new Picking(this.renderer.domElement, this.eye.camera, this.blocks.group);
+    this.host.addEventListener("pointerdown", (event) => this.#catch(event), true);
+    this.#showGrip();
     new ResizeObserver(() => this.#resize()).observe(host);
     this.#resize();
   }
@@ -159,35 +160,68 @@ export class Scene {
     this.#wake();
   }
 
-  // --- The ball at the tip. A pointer that catches it moves it, and not the view: `onTipCaught` tells whether it may, `onTipDragged`
-  // gets the point in mm, `onTipReleased` ends.
+  // --- What a pointer catches and moves instead of the view: the ball at the tip, or a block. `onTipCaught` and `onBlockCaught` tell whether
+  // it may; `onTipDragged` gets a point in mm, `onBlockDragged` the event; `onTipReleased` and `onBlockReleased` end.
 
-  #catchTip() {
-    const { domElement: canvas } = this.renderer;
-    this.host.addEventListener("pointerdown", (event) => {
-      if (event.button !== 0 || !this.ball.isCaught(event, canvas.getBoundingClientRect()) || !this.onTipCaught?.()) return;
-      event.stopPropagation();
-      this.host.setPointerCapture(event.pointerId);
-      this.dragFrom = this.ball.mesh.position.clone();
-      this.isUpright = event.shiftKey;
-      this.host.onpointermove = (move) => this.#dragTip(move);
-      this.host.onpointerup = this.host.onpointercancel = () => this.#releaseTip();
-    }, true);
-    canvas.addEventListener("pointermove", (event) => (canvas.style.cursor = this.ball.isCaught(event, canvas.getBoundingClientRect()) ? "grab" : ""));
+  #catch(event) {
+    if (event.button !== 0 || !event.isPrimary) return;
+    const drag = this.#catchTip(event) ?? this.#catchBlock(event);
+    if (!drag) return;
+    event.stopPropagation();
+    this.host.setPointerCapture(event.pointerId);
+    this.host.onpointermove = drag.move;
+    this.host.onpointerup = this.host.onpointercancel = (up) => {
+      this.host.onpointermove = this.host.onpointerup = this.host.onpointercancel = null;
+      this.picking.onPoint(this.picking.at(up));
+      drag.end();
+    };
   }
 
-  #dragTip({ clientX, clientY, shiftKey }) {
-    const box = this.host.getBoundingClientRect();
-    const at = { x: ((clientX - box.left) / box.width) * 2 - 1, y: 1 - ((clientY - box.top) / box.height) * 2 };
+  #catchTip(event) {
+    if (!this.ball.isCaught(event, this.renderer.domElement.getBoundingClientRect()) || !this.onTipCaught?.()) return null;
+    this.dragFrom = this.ball.mesh.position.clone();
+    this.isUpright = event.shiftKey;
+    return { move: (to) => this.#dragTip(to), end: () => this.onTipReleased?.() };
+  }
+
+  #dragTip(event) {
+    const { shiftKey } = event;
     if (shiftKey !== this.isUpright) this.dragFrom = this.ball.mesh.position.clone();
     this.isUpright = shiftKey;
-    const point = pointUnder(at, this.eye.camera, this.dragFrom, shiftKey);
+    const point = pointUnder(this.#inPicture(event), this.eye.camera, this.dragFrom, shiftKey);
     if (point) this.onTipDragged?.(point.toArray());
   }
 
-  #releaseTip() {
-    this.host.onpointermove = this.host.onpointerup = this.host.onpointercancel = null;
-    this.onTipReleased?.();
+  #catchBlock(event) {
+    const spot = this.picking.at(event);
+    if (!spot?.name || !this.onBlockCaught?.(spot.name, spot.xyz_mm, event)) return null;
+    return { move: (to) => this.onBlockDragged(to), end: () => this.onBlockReleased() };
+  }
+
+  #showGrip() {
+    const { domElement: canvas } = this.renderer;
+    canvas.addEventListener("pointermove", (event) => (canvas.style.cursor = this.ball.isCaught(event, canvas.getBoundingClientRect()) ? "grab" : ""));
+  }
+
+  /** The place of a pointer, -1 to 1. */
+  #inPicture({ clientX, clientY }) {
+    const box = this.host.getBoundingClientRect();
+    return { x: ((clientX - box.left) / box.width) * 2 - 1, y: 1 - ((clientY - box.top) / box.height) * 2 };
+  }
+
+  /** The point in mm under a pointer at a height; null above the horizon. */
+  pointUnder(event, z) {
+    return pointUnder(this.#inPicture(event), this.eye.camera, new THREE.Vector3(0, 0, z), false)?.toArray() ?? null;
+  }
+
+  /** Draws a block at a place in mm, away from where it is, until dropBlock(). */
+  holdBlock(name, xyz) {
+    this.blocks.lifted = { name, xyz };
+    this.#wake();
+  }
+  dropBlock() {
+    this.blocks.lifted = null;
+    this.#wake();
   }
 
   /** Draws the ball at a point in mm, away from the tip, until dropTip(). */
