@@ -125,7 +125,8 @@ Tick History::end_of_part(const ReplayTime& time) const {
   const auto after = part_after(time);
   if (after != parts_.end() && (*after)->from().epoch == time.epoch) return (*after)->from().tick;
   const std::vector<EpochSpan> all = epochs();
-  return std::ranges::find(all, time.epoch, &EpochSpan::epoch)->to;
+  const auto is_same = [&time](const EpochSpan& span) { return span.epoch == time.epoch; };
+  return std::find_if(all.begin(), all.end(), is_same)->to;
 }
 
 // --- Inputs.

@@ -1,11 +1,12 @@
 // The page in Chromium with a real server: what it shows agrees with the server.
 import assert from "node:assert/strict";
 import { createServer } from "node:http";
-import { readFile, rm, stat, writeFile } from "node:fs/promises";
+import { readFile, rm, writeFile } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
+import { gzipSync } from "node:zlib";
 import { after, test } from "node:test";
-import { close, leavePage, ofThePage, open, openOld, ready, root, serve, showsCount, takePage, type, withPage } from "./bench.mjs";
+import { call, close, leavePage, ofThePage, open, openOld, ready, root, serve, showsCount, takePage, type, withPage } from "./bench.mjs";
 
 after(close);
 
@@ -301,11 +302,37 @@ test("every control has a name, and the page fits a laptop and a tablet", async 
   });
 });
 
-test("the script is smaller than 800 kB, and the robot appears soon", async () => {
-  assert.ok((await stat(`${root}clients/web/dist/assets/main.js`)).size < 800_000);
+test("the page is at most 300 kB, compressed, and the robot appears soon", async () => {
+  const files = ["index.html", "assets/main.js", "assets/style.css"];
+  const sizes = await Promise.all(files.map(async (name) => gzipSync(await readFile(`${root}clients/web/dist/${name}`)).length));
+  const size = sizes.reduce((sum, each) => sum + each);
+  assert.ok(size <= 300_000, `${size} bytes`);
   await withPage([], async (page) => {
     const ms = await page.evaluate(() => Math.round(window.xr3.known.firstStateMs));
     console.log(`first picture after ${ms} ms`);
     assert.ok(ms < 5000, "the target is one second on an idle machine");
   });
 });
+
+test("the scripts work 3 ms a frame while the robot moves", () =>
+  withPage([], async (page, server) => {
+    const session = await page.context().newCDPSession(page);
+    await session.send("Performance.enable", { timeDomain: "threadTicks" });
+    const scripts = async () => (await session.send("Performance.getMetrics")).metrics.find(({ name }) => name === "ScriptDuration").value;
+    await call(server.monitor, "send", { text: "B+100\rE+60\rD-60\r" });
+    await page.waitForFunction(() => window.xr3.known.state.moving);
+    const before = await scripts();
+    const frames = await page.evaluate(() => new Promise((resolve) => {
+      let count = 0;
+      const frame = () => {
+        ++count;
+        if (window.xr3.known.state.moving) requestAnimationFrame(frame);
+        else resolve(count);
+      };
+      requestAnimationFrame(frame);
+    }));
+    const ms = ((await scripts()) - before) / frames * 1000;
+    console.log(`${ms.toFixed(1)} ms of scripts a frame, ${frames} frames`);
+    assert.ok(frames > 5, `${frames} frames`);
+    assert.ok(ms < 15, `${ms.toFixed(1)} ms; the target is 3 ms`);
+  }));
