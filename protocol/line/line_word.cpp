@@ -33,7 +33,8 @@ const WordMeaning* word_beginning(std::string_view letters) {
         return std::equal(letters.begin(), letters.end(), each.word.begin(),
                           each.word.begin() + std::min(letters.size(), each.word.size()),
                           [](char typed, char wanted) {
-                            return letter_of(static_cast<std::uint8_t>(typed)) == wanted;
+                            return letter_of(static_cast<std::uint8_t>(typed)) ==
+                                   static_cast<std::uint8_t>(wanted);
                           });
       });
   return found == kWords.end() ? nullptr : found;
