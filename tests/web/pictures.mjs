@@ -64,13 +64,13 @@ const school = await serve("--cells", "24", "--cell", "9=adept-one,adept-one", "
 const { value } = await ask(school.monitor, { op: "call", fn: "cells", args: {} });
 const all = await open(school.url, { viewport: kSize });
 await all.waitForSelector(".card canvas");
-await all.selectOption("#overview-order", "name");
+await all.click("#overview-order [data-order=name]");
 const programs = value.cells.filter((_, i) => i % 3 === 0).map(({ robot_port }) => connect(robot_port, "127.0.0.1"));
 programs.forEach((program, i) => program.write(`E+${20 + 9 * i}\rD-${10 + 8 * i}\r`));
-await all.waitForSelector(".card.moving");
-await all.waitForSelector(".card.moving", { state: "detached" });
+await all.waitForSelector(".card[data-kind=moving]");
+await all.waitForSelector(".card[data-kind=moving]", { state: "detached" });
 programs.forEach((program, i) => i % 2 === 0 && program.write(`F${i % 4 === 0 ? "+" : "-"}120\r`));
-await all.waitForFunction((count) => document.querySelectorAll(".card.moving").length > count, 2);
+await all.waitForFunction((count) => document.querySelectorAll(".card[data-kind=moving]").length > count, 2);
 await all.screenshot({ path: `${docs}/viewer-overview.png` });
 for (const program of programs) program.destroy();
 await all.context().close();

@@ -4,7 +4,7 @@ import { connection, earlyRefusals, firstHello, onConnection } from "./start.js"
 import { Access } from "./panels/access.js";
 import { Messages } from "./panels/messages.js";
 import { ControlLock } from "./panels/control_lock.js";
-import { byId, setText } from "./lib/dom.js";
+import { byId, el, setText } from "./lib/dom.js";
 import { isOverview } from "./lib/place.js";
 import { OverviewPanel } from "./panels/overview_panel.js";
 import { textOf } from "./lib/refusal.js";
@@ -14,7 +14,10 @@ document.body.classList.add("is-overview");
 byId("cell-page").hidden = true;
 byId("overview").hidden = false;
 document.title = "All robots – xr3";
-setText(byId("robot-name"), "all robots");
+setText(byId("robot-name"), "All robots");
+byId("robot-button").replaceWith(byId("robot-name")); // a menu of one robot
+const chips = el("span.group");
+byId("status").after(chips);
 
 const messages = new Messages(byId("overview-message"));
 const showError = (error) => messages.show(textOf(error));
@@ -22,7 +25,7 @@ const access = new Access({
   connection, lock: new ControlLock(), onError: showError, onUnlocked: () => location.reload(),
 });
 const overview = new OverviewPanel({
-  host: byId("cards"),
+  host: byId("cards"), chips,
   getModel: (cell) => connection.get("model", { cell }),
   getTokens: async () => new Map((await connection.call("cells")).cells.map(({ name, token }) => [name, token])),
 });

@@ -1,6 +1,7 @@
 // The connection to the server, which tells by its first `hello` which page this is.
 import { Connection } from "./lib/connection.js";
-import { byId, setText } from "./lib/dom.js";
+import { showChip } from "./lib/chip.js";
+import { byId } from "./lib/dom.js";
 import { cellOfPath, pathOfCell } from "./lib/place.js";
 import { kept, takeFromAddress } from "./lib/token.js";
 import "./lib/theme.js";
@@ -10,9 +11,7 @@ const kWords = { open: "Connected", silent: "No connection", lost: "No connectio
 /** Notes the state of the connection; a page of a cell shows its status in place of the word. */
 export function onConnection(status) {
   byId("status").dataset.connection = status;
-  byId("status").dataset.kind = status === "open" ? "ready" : "lost";
-  setText(byId("status-word"), kWords[status]);
-  byId("status").querySelector("use").setAttribute("href", status === "open" ? "#i-dot" : "#i-lost");
+  showChip(byId("status"), { kind: status === "open" ? "ready" : "lost", word: kWords[status] });
 }
 
 /** Refusals of the token before a page could show them. */

@@ -1,7 +1,7 @@
 // The list of cells behind the overview: what messages change, search and order.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { CellList, peerText, stateTexts } from "../../../clients/web/src/lib/cell_list.js";
+import { CellList, notesOf, peerText } from "../../../clients/web/src/lib/cell_list.js";
 import { cellOfPath, isOverview, pathOfCell } from "../../../clients/web/src/lib/place.js";
 
 const cell = (name, change = {}) => ({ name, robot: "Rhino XR-3", robot_port: 9701, lines: 0, peer: null, moving: false, stalled: null, holding: null, recording_failed: false, last_input_tick: null, epoch: 0, tick: 0, joints: [], tool: 0, ...change });
@@ -44,6 +44,7 @@ test("every word of a search must be found, in name, robot, peer or state", () =
   assert.deepEqual(list.names("MOVING 10.0.0.7", "name"), ["berta"]);
   assert.deepEqual(list.names("holds red", "name"), ["carl"]);
   assert.deepEqual(list.names("moving red", "name"), []);
+  assert.deepEqual(list.names("ready", "name"), ["carl"]);
 });
 
 test("totals count each kind", () =>
@@ -51,9 +52,9 @@ test("totals count each kind", () =>
     { all: 3, moving: 1, stalled: 1, holding: 1, connected: 1 }));
 
 test("texts of a card", () => {
-  assert.deepEqual(stateTexts(cell("1", { stalled: "protected_region", holding: "red" })), ["stalled: protected region", "holds red"]);
-  assert.deepEqual(stateTexts(cell("1")), ["at rest"]);
-  assert.deepEqual(stateTexts(cell("1", { holding: "red", recording_failed: true })), ["at rest", "holds red", "recording ended"]);
+  assert.deepEqual(notesOf(cell("1", { stalled: "protected_region", holding: "red" })), ["The tip would enter the space around the base.", "Holds red."]);
+  assert.deepEqual(notesOf(cell("1", { moving: true })), []);
+  assert.deepEqual(notesOf(cell("1", { holding: "red", recording_failed: true })), ["Recording ended.", "Holds red."]);
   assert.equal(peerText({ lines: 0, peer: null }), "nobody connected");
   assert.equal(peerText({ lines: 3, peer: "10.0.0.7:4000" }), "10.0.0.7:4000 and 2 more");
 });

@@ -38,34 +38,37 @@ test("a card shows name, peer and state, links to its cell, and its picture foll
   withClass([cellNamed("1"), cellNamed("2", { moving: true, holding: "red" }), cellNamed("3", { stalled: "protected_region", lines: 0, peer: null })], async (page, played) => {
     await drawn(page, "1");
     assert.equal(await page.getAttribute(".card[data-cell='2'] a", "href"), "/cell/2");
-    const texts = (name) => page.$$eval(`.card[data-cell="${name}"] span`, (spans) => spans.map((span) => span.textContent));
-    assert.deepEqual(await texts("2"), ["2", "moving, holds red", "10.0.0.2:40000", "Rhino XR-3"]);
-    assert.deepEqual((await texts("3")).slice(1, 3), ["stalled: protected region", "nobody connected"]);
-    assert.equal(await page.textContent("#overview-totals"), "3 robots: 1 moving, 1 stalled, 1 holding a block, 2 with a program");
+    const texts = (name) => page.$$eval(`.card[data-cell="${name}"] :is(.title, .chip, p, .robot)`, (parts) => parts.map((part) => part.textContent));
+    assert.deepEqual(await texts("2"), ["2", "Moving", "Holds red.", "10.0.0.2:40000", "Rhino XR-3"]);
+    assert.deepEqual((await texts("3")).slice(1, 4), ["Stalled", "The tip would enter the space around the base.", "nobody connected"]);
+    assert.deepEqual(await page.$$eval(".card .chip use", (signs) => signs.map((sign) => sign.getAttribute("href"))), ["#i-alarm", "#i-moving", "#i-dot"]);
+    assert.deepEqual(await page.locator(".bar .chip:visible").allTextContents(), ["1 stalled", "1 moving"]);
+    assert.equal(await page.textContent("#overview-totals"), "3 robots, 1 holding a block, 2 with a program");
     const picture = () => page.$eval(".card[data-cell='1'] canvas", (canvas) => canvas.toDataURL());
     const before = await picture();
     played.send([cellNamed("1", { moving: true, joints: [60, -70, 90, 0, -90] })]);
-    await page.waitForSelector(".card.moving[data-cell='1']");
+    await page.waitForSelector(".card[data-kind=moving][data-cell='1']");
     assert.notEqual(await picture(), before);
     assert.equal(played.requests.filter(({ op }) => op === "get").length, 1, "one model for all robots of a name");
-    const mark = () => page.$eval(".card[data-cell='3'] .picture", (element) => getComputedStyle(element, "::before").content);
-    assert.equal(await mark(), "none");
     played.send([cellNamed("3", { recording_failed: true })]);
-    await page.waitForSelector(".card.unrecorded[data-cell='3']");
-    assert.equal(await mark(), '"recording ended"');
-    assert.equal((await texts("3"))[1], "at rest, recording ended");
+    await page.waitForSelector(".card[data-cell='3'] p:has-text('Recording ended.')");
+    assert.deepEqual((await texts("3")).slice(1, 3), ["Ready", "Recording ended."]);
+    assert.deepEqual(await page.locator(".bar .chip:visible").allTextContents(), ["2 moving"]);
   }));
 
 test("search and order choose the cards; opened and closed cells come and go", () =>
   withClass([cellNamed("a"), cellNamed("b"), cellNamed("c", { moving: true })], async (page, played) => {
     await page.waitForSelector(".card");
     assert.deepEqual(await shown(page), ["c", "a", "b"]);
-    await page.selectOption("#overview-order", "name");
+    await page.click("#overview-order [data-order=name]");
     assert.deepEqual(await shown(page), ["a", "b", "c"]);
     await page.fill("#overview-search", "moving");
     assert.deepEqual(await shown(page), ["c"]);
     assert.match(await page.textContent("#overview-totals"), /^1 of 3 robots/);
+    await page.fill("#overview-search", "nobody");
+    await page.waitForSelector("#overview-empty:has-text('No robot matches the search.')");
     await page.fill("#overview-search", "");
+    assert.ok(await page.isHidden("#overview-empty"));
     played.send([cellNamed("d")], ["a"]);
     await page.waitForSelector(".card[data-cell='d']");
     assert.deepEqual(await shown(page), ["b", "c", "d"]);
@@ -75,10 +78,10 @@ test("by activity, cards change places, but not under the pointer or the focus",
   withClass(many(5), async (page, played) => {
     await page.focus(".card[data-cell='1'] a");
     played.send([cellNamed("4", { stalled: "protected_region" })]);
-    await page.waitForSelector(".card.stalled");
+    await page.waitForSelector(".card[data-kind=stalled]");
     await page.waitForFunction(() => new Promise((resolve) => setTimeout(() => resolve(true), 2300))); // an interval of sorting passes
     assert.deepEqual(await shown(page), ["1", "2", "3", "4", "5"]);
-    await page.focus("#overview-order");
+    await page.focus("#overview-order [data-order=activity]");
     await page.waitForFunction(() => document.querySelector(".card").dataset.cell === "4");
   }));
 
@@ -95,7 +98,7 @@ test("only cards on the screen have a canvas and are drawn", () =>
     assert.equal(await draws(), before);
     await page.evaluate(() => document.querySelector(".card[data-cell='900']").scrollIntoView());
     await drawn(page, "900");
-    await page.waitForSelector(".card.moving[data-cell='900']");
+    await page.waitForSelector(".card[data-kind=moving][data-cell='900']");
     await page.waitForFunction(() => !document.querySelector(".card[data-cell='1'] canvas"));
     assert.ok((await canvases()) < 150);
   }));
@@ -111,6 +114,20 @@ test("a teacher copies a student's link with the page's own host and the token o
     await page.waitForSelector(".copy:has-text('Copied')");
     assert.equal(await page.evaluate(() => navigator.clipboard.readText()), `${url}cell/2#token=only-for-2%2B`);
   }, { tokens: { 2: "only-for-2+" } }));
+
+for (const [width, height, columns, fits] of [[1920, 1080, 6, 30], [1366, 768, 5, 15], [390, 844, 1, 3]]) {
+  test(`${width} × ${height}: ${columns} cards a row, ${fits} in sight, and no text is cut`, () =>
+    withClass(many(40).map((cell) => ({ ...cell, stalled: "protected_region", holding: "red" })), async (page) => {
+      await page.setViewportSize({ width, height });
+      await page.waitForFunction((wanted) => document.querySelector(".cards").children.length === wanted, columns * 4);
+      const boxes = await page.$$eval(".card", (cards) => cards.map((card) => card.getBoundingClientRect().toJSON()));
+      assert.equal(boxes.filter(({ top }) => top === boxes[0].top).length, columns);
+      assert.ok(boxes.filter(({ bottom }) => bottom <= height).length >= fits);
+      const cut = () => [...document.querySelectorAll(".card")].slice(0, 3).flatMap((card) => [...card.querySelectorAll(".chip, .notes p")]
+        .filter((part) => part.getBoundingClientRect().bottom > card.querySelector(".robot").getBoundingClientRect().bottom || part.scrollWidth > part.clientWidth + 1));
+      assert.equal(await page.evaluate(`(${cut})().length`), 0);
+    }));
+}
 
 test("names cannot break out of a card", () =>
   withClass([cellNamed("1", { peer: "<img src=x onerror=alert(1)>", robot: "<b>robot</b>", holding: "<i>" }), cellNamed("2")], async (page) => {

@@ -2,14 +2,14 @@
 // Help: commands of the line, keys, what each status means, and the documentation. The search leaves the rows in
 // which its words occur.
 import commands from "../../../../data/commands.json";
+import { newChip, showChip } from "../lib/chip.js";
 import { byId, el } from "../lib/dom.js";
 import { remember } from "../lib/memory.js";
 import { areKeysOn } from "./keys.js";
-import { iconOf } from "./status.js";
 
 /** @typedef {import("./keys.js").Key} Key */
 
-const kStatuses = /** @type {[import("./status.js").Kind, string, string][]} */ ([
+const kStatuses = /** @type {[import("../lib/chip.js").Kind, string, string][]} */ ([
   ["ready", "Ready", "It waits for commands."], ["moving", "Moving", "A motor has counts to go."],
   ["other", "Two programs", "Two lines move one joint."], ["paused", "Paused", "Time stands: Continue."],
   ["stalled", "Stalled", "It would have hit something: Home."], ["disabled", "Switched off", "It ignores the lines: Switch on."],
@@ -40,7 +40,7 @@ export class Help {
     byId("help-commands").append(...kGroups.map(([title, group]) => section(title, list(
       /** @type {any[]} */ (commands[group]).map(({ form, example, effect }) => row(el("code", { title: form }, example ?? form), firstSentence(effect)))))));
     byId("help-keys").append(section("Keys", list(keys.map(({ shown, does }) => row(el("kbd", {}, shown), does))), this.#switch()),
-      section("What the status means", list(kStatuses.map(([kind, word, text]) => row(chip(kind, word), text)))),
+      section("What the status means", list(kStatuses.map(([kind, word, text]) => row(showChip(newChip(), { kind, word }), text)))),
       section("Read", el("ul", {}, el("li", {}, this.#first(showFirst)), ...kPages.map(([page, name]) => el("li", {}, el("a", { href: `/docs/${page}`, target: "_blank" }, name))))));
   }
 
@@ -71,14 +71,4 @@ export class Help {
     for (const each of /** @type {NodeListOf<HTMLElement>} */ (this.dialog.querySelectorAll("section:has(dl)")))
       each.hidden = !each.querySelector(".row:not([hidden])");
   }
-}
-
-/** @param {import("./status.js").Kind} kind @param {string} word */
-function chip(kind, word) {
-  const icon = document.createElementNS("http://www.w3.org/2000/svg", "svg");
-  icon.setAttribute("class", "i");
-  icon.innerHTML = `<use href="${iconOf(kind)}"/>`;
-  const shown = el("span.chip", {}, icon, word);
-  shown.dataset.kind = kind;
-  return shown;
 }

@@ -1,6 +1,6 @@
 // @ts-check
 // The sections of the inspector: each folds at its title, and stays as the user left it.
-import { el } from "../lib/dom.js";
+import { el, icon } from "../lib/dom.js";
 import { recall, remember } from "../lib/memory.js";
 
 const kShort = matchMedia("(max-height: 700px) and (min-width: 900px)");
@@ -9,10 +9,7 @@ const kShort = matchMedia("(max-height: 700px) and (min-width: 900px)");
 function connect(section) {
   const title = section.querySelector("h2");
   const name = `shut.${section.dataset.section}`;
-  const chevron = document.createElementNS("http://www.w3.org/2000/svg", "svg");
-  chevron.setAttribute("class", "i");
-  chevron.innerHTML = '<use href="#i-chevron"/>';
-  const button = el("button", { type: "button" }, chevron, title.textContent);
+  const button = el("button", { type: "button" }, icon("#i-chevron"), title.textContent);
   title.replaceChildren(button);
   const show = (/** @type {boolean} */ isShut) => {
     section.classList.toggle("shut", isShut);

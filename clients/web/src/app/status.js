@@ -1,23 +1,15 @@
 // @ts-check
 // The status of the robot as the page shows it: one of eight, with one sentence and one action. If several hold, the one that
 // explains most of what a user sees wins.
+import { armStatus, stallText } from "../lib/arm_status.js";
 
 /**
- * @typedef {"ready" | "moving" | "other" | "paused" | "stalled" | "disabled" | "past" | "lost"} Kind
+ * @typedef {import("../lib/chip.js").Kind} Kind
  * @typedef {{kind: Kind, word: string, what?: string, rest?: string, action?: {name: string, act: string}}} Status
  *   `what` and `rest` are the sentence, the first part in bold; `act` names what the button does
  * @typedef {{connection: "connecting" | "open" | "silent" | "lost", state: any, place: {tick: number, epoch: number} | null,
  *   contest: {lines: [number, number], joint: string} | null, hz: number, retryS: number | null, heardS: number, mayCall: boolean}} Situation
  */
-
-const kIcons = { ready: "dot", moving: "moving", other: "two", paused: "pause", stalled: "alarm", disabled: "off", past: "past", lost: "lost" };
-/** @param {Kind} kind */
-export const iconOf = (kind) => `#i-${kIcons[kind]}`;
-
-const kStalls = /** @type {Record<string, string>} */ ({
-  protected_region: "the tip would enter the space around the base.",
-  work_surface: "the tip went below the table.",
-});
 
 /** 3:32, or 1:02:05 from an hour on. @param {number} ticks @param {number} hz */
 export function clockText(ticks, hz) {
@@ -77,7 +69,7 @@ function fault(state) {
   }
   if (!state.stalled) return null;
   return {
-    kind: "stalled", word: "Stalled", what: "The arm is stalled:", rest: `${kStalls[state.stalled] ?? state.stalled} It moves again after Home.`,
+    ...armStatus(state), what: "The arm is stalled:", rest: `${stallText(state.stalled)} It moves again after Home.`,
     action: { name: "Home", act: "home" },
   };
 }
@@ -98,5 +90,5 @@ export function statusOf(now) {
       action: { name: `Show line ${other}`, act: "contest" },
     };
   }
-  return state.moving ? { kind: "moving", word: "Moving" } : { kind: "ready", word: "Ready" };
+  return armStatus(state);
 }

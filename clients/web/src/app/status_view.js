@@ -1,7 +1,7 @@
 // @ts-check
 // Shows the status: the chip in the bar, the banner and the frame of the stage, and the same words for screen readers.
+import { iconOf, showChip } from "../lib/chip.js";
 import { byId, setText } from "../lib/dom.js";
-import { iconOf } from "./status.js";
 
 /** @typedef {import("./status.js").Status} Status */
 
@@ -21,9 +21,7 @@ export class StatusView {
     this.status = status;
     this.#showBanner(status, mayAct);
     if (!isNew) return;
-    this.chip.dataset.kind = status.kind;
-    setText(byId("status-word"), status.word);
-    this.chip.querySelector("use").setAttribute("href", iconOf(status.kind));
+    showChip(this.chip, status);
     document.body.dataset.mood = status.what ? status.kind : "";
     if (status.kind !== "ready" && status.kind !== "moving") setText(byId("say"), [status.what ?? status.word, status.rest].filter(Boolean).join(" "));
     else setText(byId("say"), "");

@@ -18,6 +18,15 @@ export function el(what, members = {}, ...children) {
   return element;
 }
 
+/** A sign of the page. @param {string} href of its symbol */
+export function icon(href) {
+  const svg = document.createElementNS("http://www.w3.org/2000/svg", "svg");
+  svg.setAttribute("class", "i");
+  svg.setAttribute("aria-hidden", "true");
+  svg.innerHTML = `<use href="${href}"/>`;
+  return svg;
+}
+
 /** @param {string} id @returns {any} */
 export const byId = (id) => document.getElementById(id);
 

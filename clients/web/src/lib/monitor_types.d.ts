@@ -14,3 +14,8 @@ export type State = {
   moving: boolean; stalled: string | null; enabled: boolean; clock: { mode: "real" | "manual" | "bytes"; rate: number; past?: boolean };
   device?: { open: boolean; engaged: boolean; path: string }; blocks: any[]; io: any;
 };
+/** A cell in a message of the channel `overview`. */
+export type Cell = {
+  name: string; robot: string; robot_port: number | null; lines: number; peer: string | null; moving: boolean; stalled: string | null;
+  holding: string | null; recording_failed: boolean; last_input_tick: number | null; joints: number[]; tool: number;
+};

@@ -26,8 +26,8 @@ export class SmallPicture {
     const scale = height / (1.25 * this.reach);
     context.setTransform(1, 0, 0, 1, 0, 0);
     context.clearRect(0, 0, width, height);
-    context.setTransform(scale, 0, 0, scale, width / 2, height * 0.8);
-    context.lineWidth = 1.2 / scale;
+    context.setTransform(scale, 0, 0, scale, width / 2, height * 0.76);
+    context.lineWidth = height / 100 / scale;
     this.#floor(context, ground);
     const at = frames(this.robot, values);
     this.links.forEach(({ color, strokes }, k) => draw(context, color, strokes, at[k]));
@@ -35,7 +35,7 @@ export class SmallPicture {
   }
 
   #floor(context, ground) {
-    const r = this.reach * 0.35;
+    const r = this.reach * 0.28;
     context.fillStyle = ground;
     context.beginPath();
     for (const corner of [[-r, -r, 0], [r, -r, 0], [r, r, 0], [-r, r, 0]]) context.lineTo(...project(corner));

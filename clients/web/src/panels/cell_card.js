@@ -1,39 +1,55 @@
+// @ts-check
 // A card of the overview: a link to the page of a cell, with a small live picture while it is on the screen.
-import { peerText, stateTexts } from "../lib/cell_list.js";
+import { notesOf, peerText } from "../lib/cell_list.js";
+import { armStatus } from "../lib/arm_status.js";
+import { newChip, showChip } from "../lib/chip.js";
 import { copyText, el, setText } from "../lib/dom.js";
 import { pathOfCell } from "../lib/place.js";
 
-export const kPicture = { width: 200, height: 130 };
+/** @typedef {import("../lib/cell_list.js").Known} Known */
+
+const kPicture = { width: 150, height: 116 }; // as in overview.css
+const kCopy = { text: "Copy link", title: "Copies the student’s link: the address of this robot with its own token" };
+
+/** A canvas for the picture of a card, as sharp as the screen. */
+export function newCanvas() {
+  const sharp = Math.min(2, Math.ceil(devicePixelRatio));
+  return el("canvas", { width: kPicture.width * sharp, height: kPicture.height * sharp });
+}
 
 export class CellCard {
+  /** @param {string} name */
   constructor(name) {
     this.name = name;
     this.picture = el("div.picture", { "aria-hidden": "true" });
-    this.title = el("span.title", {}, name);
-    this.state = el("span.state");
-    this.peer = el("span.peer");
+    this.status = newChip();
+    this.notes = el("div.notes");
+    this.peer = el("p.peer");
     this.robot = el("span.robot");
-    this.link = el("a", { href: pathOfCell(name) }, this.picture, this.title, this.state, this.peer, this.robot);
-    this.element = el("div.card", { role: "listitem" }, this.link);
+    const head = el("div.head", {}, el("span.title", {}, name), this.status);
+    const link = el("a", { href: pathOfCell(name) }, head, this.picture, el("div.text", {}, this.notes, this.peer), this.robot);
+    this.element = el("div.card", { role: "listitem" }, link);
     this.element.dataset.cell = name;
     this.canvas = null;
-    this.drawn = null; // the cell as it is shown
+    /** @type {string | undefined} */
+    this.token = undefined;
+    /** @type {Known | null} the cell as it is shown */
+    this.drawn = null;
   }
 
-  /** A canvas while the card is on the screen, else null. */
+  /** A canvas while the card is on the screen, else null. @param {HTMLCanvasElement | null} canvas */
   setCanvas(canvas) {
     this.canvas = canvas;
     this.drawn = null;
-    if (canvas) this.picture.replaceChildren(canvas);
-    else this.picture.replaceChildren();
+    this.picture.replaceChildren(...(canvas ? [canvas] : []));
   }
 
-  /** The token of this cell alone, which its student needs. */
+  /** The token of this cell alone, which its student needs. @param {string | undefined} token */
   setToken(token) {
     if (this.token === token) return;
     this.token = token;
     this.copy?.remove();
-    this.copy = token ? el("button.copy", { type: "button", onclick: () => this.#copy() }, "Copy the student’s link") : null;
+    this.copy = token ? el("button.copy", { type: "button", title: kCopy.title, onclick: () => this.#copy() }, kCopy.text) : null;
     if (this.copy) this.element.append(this.copy);
   }
 
@@ -42,18 +58,27 @@ export class CellCard {
     setText(this.copy, isCopied ? "Copied" : "This browser does not copy");
   }
 
-  /** Shows a cell; `picture` is the SmallPicture of its robot, or undefined while its model is not there. */
+  /**
+   * Shows a cell; `picture` is that of its robot, or undefined while its model is not there.
+   * @param {Known} cell @param {import("../lib/small_picture.js").SmallPicture | undefined} picture @param {string} ground
+   */
   show(cell, picture, ground) {
     if (this.drawn === cell && this.hasPicture === Boolean(picture)) return;
     this.drawn = cell;
     this.hasPicture = Boolean(picture);
-    const [state, ...more] = stateTexts(cell);
-    setText(this.state, [state, ...more].join(", "));
-    this.element.classList.toggle("moving", cell.moving && !cell.stalled);
-    this.element.classList.toggle("stalled", Boolean(cell.stalled));
-    this.element.classList.toggle("unrecorded", Boolean(cell.recording_failed));
+    const status = armStatus(cell);
+    showChip(this.status, status);
+    this.element.dataset.kind = status.kind;
+    this.#showTexts(cell);
+    if (picture && this.canvas) picture.draw(this.canvas, cell.joints, cell.tool, ground);
+  }
+
+  /** @param {Known} cell */
+  #showTexts(cell) {
+    const notes = notesOf(cell);
+    if (notes.join() !== this.said) this.notes.replaceChildren(...notes.map((note) => el("p", {}, note)));
+    this.said = notes.join();
     setText(this.peer, peerText(cell));
     setText(this.robot, `${cell.robot}${cell.robot_port ? `, port ${cell.robot_port}` : ""}`);
-    if (picture && this.canvas) picture.draw(this.canvas, cell.joints, cell.tool, ground);
   }
 }
