@@ -52,7 +52,12 @@ test("the device is the first entry", () => {
 test("lines come, change and go, and the empty table says how to connect", () =>
   withPage(["--clock", "manual", "--pty", join(folder, "rhino")], async (page, server) => {
     await page.click("#tab-lines");
-    await page.waitForSelector("#lines-note:has-text('No line is open. Connect a robot program')");
+    await page.waitForSelector(`#lines-note:has-text('No program is connected. Programs connect to localhost, port ${server.robot}.')`);
+    await page.context().grantPermissions(["clipboard-read", "clipboard-write"]);
+    await page.click("#lines-note .copy-row:has-text('import xr3') button");
+    await page.waitForSelector("#lines-note button:has-text('Copied')");
+    assert.equal(await page.evaluate(() => navigator.clipboard.readText()), `import xr3; robot = xr3.connect(host="localhost", port=${server.robot})`);
+    assert.match(await page.textContent("#lines-note"), new RegExp(`nc localhost ${server.robot}`));
     const first = await line(server);
     first.send("E+5\r");
     await rowsAre(page, [/1/, /tcp/, kPeer, /0 s/, /4/, /0/, /(?:)/, /E\+5\\r/]);
@@ -65,7 +70,7 @@ test("lines come, change and go, and the empty table says how to connect", () =>
     await rowsAre(page, [/1/, /tcp/], [/2/, /rfc2217/, kPeer, /0 s/, /3/, /\d+/, /9600-7e2|9600-8n1/, /(?:)/]);
     second.close();
     first.close();
-    await page.waitForSelector("#lines-note:has-text('No line is open.')");
+    await page.waitForSelector("#lines-note:has-text('No program is connected.')");
     assert.equal(await page.locator("#lines tr").count(), 0);
   }));
 

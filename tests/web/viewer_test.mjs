@@ -58,6 +58,7 @@ test("a robot without outlines and workcell is a stick figure with joints, wire 
       assert.deepEqual(await page.evaluate(drawnParts), { links: [1, 1, 1, 1, 1, 0], jaws: 2 });
       assert.ok((await page.evaluate(() => window.xr3.scene.eye.camera.position.toArray())).every(Number.isFinite));
       assert.equal(await page.textContent("#camera-caption"), "This robot has no camera.");
+      assert.ok(await page.isHidden("#outlines"));
     });
   } finally {
     await rm(file);

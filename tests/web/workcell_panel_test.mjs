@@ -53,6 +53,16 @@ test("dragging a held block is refused: it is drawn at its place again, and show
     await shows(page, "grey", (await blockOf(server, "grey")).xyz_mm);
   }));
 
+test("an empty table says so beside the form for a new block", () =>
+  onWorkcell(["--workcell", "none", "--clock", "manual"], async (page) => {
+    await page.waitForSelector(".block-list .empty:has-text('This table is empty.')");
+    assert.ok(await page.isHidden(".blocks") && await page.isHidden("#chosen"));
+    await page.fill("#block-name", "brick");
+    await page.keyboard.press("Enter");
+    await page.waitForSelector("#blocks tr:has-text('brick')");
+    assert.ok(await page.isHidden(".block-list .empty") && await page.isVisible("#chosen"));
+  }, { picture: false }));
+
 test("a read-only page drags nothing", async () => {
   process.env.XR3_TOKEN = "a-token-of-a-test";
   const done = onWorkcell([], async (page, server) => {

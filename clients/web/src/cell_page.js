@@ -5,6 +5,7 @@ import { connectSections } from "./app/sections.js";
 import { connectSplitters } from "./app/splitters.js";
 import { Drawer } from "./app/drawer.js";
 import { Help } from "./app/help.js";
+import { RobotMenu } from "./app/robot_menu.js";
 import { connectKeys } from "./app/keys.js";
 import { OldDrawer } from "./app/old_drawer.js";
 import { clockText, statusOf } from "./app/status.js";
@@ -122,7 +123,7 @@ const wire = new WirePanel({
 });
 const lines = new LinesPanel({
   host: byId("lines-panel"), table: byId("lines-table"), body: byId("lines"), note: byId("lines-note"),
-  ask: () => connection.call("lines"), mayCall: () => access.mayCall, tickNow: () => (known.state ? timeBar.tickNow() : 0), hz: () => known.hello?.tick_hz ?? 1000,
+  ask: () => connection.call("lines"), getPort: robotPort, mayCall: () => access.mayCall, tickNow: () => (known.state ? timeBar.tickNow() : 0), hz: () => known.hello?.tick_hz ?? 1000,
   onChoose: showWireOf,
 });
 const plots = new PlotPanel({ host: byId("plots-panel"), tickNow: () => (known.state ? timeBar.tickNow() : 0), hz: () => known.hello?.tick_hz ?? 1000 });
@@ -162,6 +163,7 @@ const drawer = new Drawer((panel) => {
   if (panel === "lines-panel") lines.show();
   if (panel === "plots-panel") plots.show();
 });
+new RobotMenu({ known, getPort: robotPort, openWorkcell: () => drawer.choose("tab-workcell") });
 connectSections();
 connectSplitters();
 document.addEventListener("keydown", (event) => {

@@ -24,10 +24,21 @@ async function record(page, server, bytes, times = 1) {
   }
 }
 
+test("an empty panel offers to record, and the first point has the focus then", () =>
+  withPage(["--clock", "manual"], async (page) => {
+    await page.click("#tab-teach");
+    await page.focus("#record-first");
+    await page.keyboard.press("Enter");
+    await page.waitForFunction(() => document.activeElement.closest("#points tr"));
+    assert.ok(await page.isHidden("#points-empty"));
+    await page.click("#points-undo");
+    await page.waitForSelector("#record-first:visible");
+  }, { picture: false }));
+
 test("a point has the pose of its moment", () =>
   withPage(["--clock", "real:20"], async (page, server) => {
     await page.click("#tab-teach");
-    assert.match(await page.textContent("#points-empty"), /Jog the arm/);
+    assert.match(await page.textContent("#points-empty"), /Record places and play them\./);
     await page.fill("#joints [data-label=E] .value", "-89");
     await page.keyboard.press("Enter");
     await page.waitForFunction(() => window.xr3.known.state.joints[1].count >= 5 && !window.xr3.known.state.moving);

@@ -3,13 +3,14 @@
 import { notesOf, peerText } from "../lib/cell_list.js";
 import { armStatus } from "../lib/arm_status.js";
 import { newChip, showChip } from "../lib/chip.js";
-import { copyText, el, setText } from "../lib/dom.js";
+import { copyButton } from "../lib/copy_button.js";
+import { el, setText } from "../lib/dom.js";
 import { pathOfCell } from "../lib/place.js";
 
 /** @typedef {import("../lib/cell_list.js").Known} Known */
 
 const kPicture = { width: 150, height: 116 }; // as in overview.css
-const kCopy = { text: "Copy link", title: "Copies the student’s link: the address of this robot with its own token" };
+const kCopyTitle = "Copies the student’s link: the address of this robot with its own token";
 
 /** A canvas for the picture of a card, as sharp as the screen. */
 export function newCanvas() {
@@ -49,13 +50,10 @@ export class CellCard {
     if (this.token === token) return;
     this.token = token;
     this.copy?.remove();
-    this.copy = token ? el("button.copy", { type: "button", title: kCopy.title, onclick: () => this.#copy() }, kCopy.text) : null;
-    if (this.copy) this.element.append(this.copy);
-  }
-
-  async #copy() {
-    const isCopied = await copyText(`${location.origin}${pathOfCell(this.name)}#token=${encodeURIComponent(this.token)}`);
-    setText(this.copy, isCopied ? "Copied" : "This browser does not copy");
+    if (!token) return;
+    const link = `${location.origin}${pathOfCell(this.name)}#token=${encodeURIComponent(token)}`;
+    this.copy = copyButton(link, { className: "copy", title: kCopyTitle }, "Copy link");
+    this.element.append(this.copy);
   }
 
   /**

@@ -10,7 +10,6 @@ import { PointFiles } from "./point_files.js";
 import { PointTable } from "./point_table.js";
 
 const kNegated = "The points were taught when A+ opened the jaws: since it closes them now, their A counts have the other sign.";
-const kEmpty = "No points yet. Jog the arm to a place, then press Record.";
 
 export class TeachPanel {
   /**
@@ -67,7 +66,6 @@ export class TeachPanel {
     this.table.show(points, { chosen: this.chosen, reached: this.reached, asValues: this.#part("point-unit").value === "values" });
     this.#part("points-table").hidden = points.length === 0;
     this.#part("points-empty").hidden = points.length > 0;
-    setText(this.#part("points-empty"), kEmpty);
     this.#showForm();
     this.allow();
   }
@@ -88,13 +86,13 @@ export class TeachPanel {
     const mayPlay = !isPlaying && this.lock.isFree;
     const mayRecord = !isPlaying && this.lock.reasonOf("look") === null; // else another pose than the shown one
     const enabled = {
-      record: mayRecord && this.points.length < kMaxPoints, "play-one": mayPlay && isChosen, "play-next": mayPlay && has, "play-all": mayPlay && has,
+      record: mayRecord && this.points.length < kMaxPoints, "record-first": mayRecord, "play-one": mayPlay && isChosen, "play-next": mayPlay && has, "play-all": mayPlay && has,
       "play-stop": isPlaying, "point-up": isChosen && this.chosen > 0, "point-down": isChosen && this.chosen < this.points.length - 1,
       "point-overwrite": mayRecord && isChosen, "point-remove": isChosen, "points-undo": this.store.back.length > 0, "points-save": has, "program-save": has,
     };
     for (const [id, is] of Object.entries(enabled)) this.#part(id).disabled = !is;
     for (const id of ["play-one", "play-next", "play-all"]) this.#part(id).title = this.lock.reason ?? "";
-    for (const id of ["record", "point-overwrite"]) this.#part(id).title = this.lock.reasonOf("look") ?? "";
+    for (const id of ["record", "record-first", "point-overwrite"]) this.#part(id).title = this.lock.reasonOf("look") ?? "";
   }
 
   #say(text) {
@@ -105,6 +103,10 @@ export class TeachPanel {
 
   #buttons() {
     this.#on("record", () => this.record());
+    this.#on("record-first", async () => {
+      await this.record();
+      this.table.focus(0);
+    });
     this.#on("play-one", () => this.#play([this.chosen]));
     this.#on("play-next", () => this.#play([this.#next()]));
     this.#on("play-all", () => this.#play([...this.points.keys()]));

@@ -3,14 +3,12 @@
 import { byId, el } from "../lib/dom.js";
 import { recall, remember } from "../lib/memory.js";
 import { unitOf } from "../lib/motors.js";
+import { addressOf } from "../lib/program_address.js";
 
 /** @typedef {{title: string, what: string, button?: string, act?: () => Promise<string>}} Step `act` resolves to what happened */
 
 const kCounts = 50;
 const kPhone = matchMedia("(max-width: 899px)");
-
-/** The address by which programs connect. @param {number | null} port */
-const addressOf = (port) => `${location.hostname}, port ${port ?? "as xr3 serve has printed it"}`;
 
 export class FirstSteps {
   /**
