@@ -103,10 +103,13 @@ const firstSteps = new FirstSteps({
   pick: (name) => blockCard.pick(name), getPort: robotPort, onError: showError,
 });
 
+/** The cell of this page; `hello` names the server's usual one. */
+const cellName = () => connection.cell ?? known.hello.cell;
+
 /** The port to which programs connect; rejects if this page may not know it. */
 async function robotPort() {
   const { cells } = await connection.call("cells");
-  return cells.find(({ name }) => name === known.hello.cell)?.robot_port ?? null;
+  return cells.find(({ name }) => name === cellName())?.robot_port ?? null;
 }
 scene.picking.onClick = (spot, { offsetX, offsetY }) => {
   if (!spot?.name) return blockCard.close();
@@ -163,7 +166,7 @@ const drawer = new Drawer((panel) => {
   if (panel === "lines-panel") lines.show();
   if (panel === "plots-panel") plots.show();
 });
-new RobotMenu({ known, getPort: robotPort, openWorkcell: () => drawer.choose("tab-workcell") });
+new RobotMenu({ known, cellName, getPort: robotPort, openWorkcell: () => drawer.choose("tab-workcell") });
 connectSections();
 connectSplitters();
 document.addEventListener("keydown", (event) => {

@@ -45,6 +45,13 @@ test("splitters are dragged, and a double click restores them", () =>
     assert.equal(await height(), before);
   }, { picture: false }));
 
+test("on a phone one tab is seen at a time, also the first", () =>
+  withPage(["--clock", "manual"], async (page) => {
+    assert.ok(await page.isVisible("#joints") && await page.isHidden("#wire-panel"));
+    await page.click("#tab-wire");
+    assert.ok(await page.isHidden("#joints") && await page.isVisible("#wire-panel"));
+  }, { viewport: { width: 390, height: 844 } }));
+
 test("the drawer shuts and opens, and a tab opens it", () =>
   withPage(["--clock", "manual"], async (page) => {
     await page.click("#drawer-toggle");

@@ -12,11 +12,12 @@ const row = (name, value) => el("div", {}, el("dt", {}, name), el("dd", {}, valu
 
 export class RobotMenu {
   /**
-   * @param {{known: any, getPort: () => Promise<number | null>, openWorkcell: () => void}} parts
+   * @param {{known: any, cellName: () => string, getPort: () => Promise<number | null>, openWorkcell: () => void}} parts
    *   `known` has the newest hello and model; `getPort` rejects if this page may not know the port
    */
-  constructor({ known, getPort, openWorkcell }) {
+  constructor({ known, cellName, getPort, openWorkcell }) {
     this.known = known;
+    this.cellName = cellName;
     this.getPort = getPort;
     this.menu = byId("robot-menu");
     this.rows = el("dl");
@@ -39,7 +40,7 @@ export class RobotMenu {
     this.rows.replaceChildren(...this.#known());
     const port = await this.getPort().catch(/** @returns {null} */ () => null);
     this.rows.replaceChildren(...this.#known(), row("Robot port", port ? copyRow(hostAndPort(port)) : "as xr3 serve has printed it"));
-    const options = this.#hasCells && port ? [`--cell ${this.known.hello.cell}=ROBOT,WORKCELL`] : ["--robot NAME", "--workcell NAME", "--compat paper|mark3"];
+    const options = this.#hasCells && port ? [`--cell ${this.cellName()}=ROBOT,WORKCELL`] : ["--robot NAME", "--workcell NAME", "--compat paper|mark3"];
     this.how.replaceChildren(...["xr3 serve", ...options].map((part) => el("span", {}, part)));
   }
 
@@ -52,7 +53,7 @@ export class RobotMenu {
     return [
       ...(model ? [row("Robot", model.robot.name), row("Workcell", model.workcell.name)] : []),
       row("Profile", kProfiles[hello.compat] ?? hello.compat),
-      ...(this.#hasCells ? [row("Cell", hello.cell)] : []),
+      ...(this.#hasCells ? [row("Cell", this.cellName())] : []),
     ];
   }
 }
