@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { createRequire } from "node:module";
 import { after, test } from "node:test";
-import { close, openOld, root, withPage } from "../bench.mjs";
+import { close, open, openOld, root, serve, withPage } from "../bench.mjs";
 
 after(close);
 
@@ -23,6 +23,9 @@ for (const [colorScheme, viewport] of [["light", { width: 1440, height: 900 }], 
         await page.click(`#tab-${tab}`);
         assert.deepEqual(await broken(page), [], tab);
       }
+      await page.click("#robot-button");
+      assert.deepEqual(await broken(page), [], "the robot's name");
+      await page.keyboard.press("Escape");
       await openOld(page);
       assert.deepEqual(await broken(page), [], "as in 1989");
       await page.click("#old-close");
@@ -30,4 +33,25 @@ for (const [colorScheme, viewport] of [["light", { width: 1440, height: 900 }], 
       assert.deepEqual(await broken(page), [], "help");
       page.errors.length = 0; // the page's policy refuses the first way to load axe-core, and says so
     }, { colorScheme, viewport }));
+}
+
+for (const colorScheme of ["light", "dark"]) {
+  test(`${colorScheme}: axe-core finds nothing in the panels of an empty table`, () =>
+    withPage(["--workcell", "none", "--clock", "manual"], async (page) => {
+      for (const tab of ["teach", "workcell", "lines"]) {
+        await page.click(`#tab-${tab}`);
+        await page.waitForSelector(".empty:visible");
+        assert.deepEqual(await broken(page), [], tab);
+      }
+      page.errors.length = 0;
+    }, { colorScheme }));
+
+  test(`${colorScheme}: axe-core finds nothing in the overview`, async () => {
+    const server = await serve("--cells", "3");
+    const page = await open(server.url, { colorScheme, viewport: colorScheme === "dark" ? { width: 390, height: 844 } : { width: 1440, height: 900 } });
+    await page.waitForSelector(".card canvas");
+    assert.deepEqual(await broken(page), []);
+    await page.context().close();
+    await server.stop();
+  });
 }
