@@ -1,3 +1,4 @@
+// @ts-check
 // Entry point: waits for the server's `hello`, then runs the page of a cell or the overview of all cells.
 import { isOverview } from "./lib/place.js";
 import { firstHello } from "./start.js";

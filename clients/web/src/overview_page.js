@@ -1,3 +1,4 @@
+// @ts-check
 // The page `/` of a server with several cells: the overview. It uses the channel `overview`, the calls
 // `cells` and `get model`, and no other.
 import { connection, earlyRefusals, firstHello, onConnection } from "./start.js";
@@ -20,22 +21,23 @@ const chips = el("span.group");
 byId("status").after(chips);
 
 const messages = new Messages(byId("overview-message"));
-const showError = (error) => messages.show(textOf(error));
+const showError = (/** @type {unknown} */ error) => messages.show(textOf(error));
 const access = new Access({
   connection, lock: new ControlLock(), onError: showError, onUnlocked: () => location.reload(),
 });
 const overview = new OverviewPanel({
   host: byId("cards"), chips,
   getModel: (cell) => connection.get("model", { cell }),
-  getTokens: async () => new Map((await connection.call("cells")).cells.map(({ name, token }) => [name, token])),
+  getTokens: async () => new Map((await connection.call("cells")).cells.map((/** @type {{name: string, token: string}} */ { name, token }) => [name, token])),
 });
 
-/** Another server may be there now, of one cell. */
+/** Another server may be there now, of one cell. @param {import("./lib/place.js").Hello} hello */
 function takeHello(hello) {
   access.set(hello.access);
   if (hello.access !== "none" && !isOverview(location.pathname, hello)) location.reload();
 }
 
+/** @type {Record<string, (message: any) => void>} */
 const takers = {
   hello: takeHello,
   overview: (message) => overview.take(message),
@@ -43,7 +45,7 @@ const takers = {
   result: ({ error }) => error && showError(error),
 };
 
-connection.handlers = { onMessage: (message) => takers[message.op]?.(message), onStatus: onConnection, onTokenRefused: (error) => access.refused(error) };
+connection.handlers = { onMessage: (/** @type {{op: string}} */ message) => takers[message.op]?.(message), onStatus: onConnection, onTokenRefused: (/** @type {Error} */ error) => access.refused(error) };
 for (const error of earlyRefusals) access.refused(error);
 takeHello(await firstHello);
 connection.follow("overview", { max_hz: 4 });
@@ -51,4 +53,4 @@ onTheme(() => overview.renew());
 document.addEventListener("visibilitychange", () => document.hidden || overview.renew());
 
 // For tests.
-window.xr3 = { overview };
+/** @type {any} */ (window).xr3 = { overview };

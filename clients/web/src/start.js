@@ -1,3 +1,4 @@
+// @ts-check
 // The connection to the server, which tells by its first `hello` which page this is.
 import { Connection } from "./lib/connection.js";
 import { showChip } from "./lib/chip.js";
@@ -8,21 +9,25 @@ import "./lib/theme.js";
 
 const kWords = { open: "Connected", silent: "No connection", lost: "No connection" };
 
-/** Notes the state of the connection; a page of a cell shows its status in place of the word. */
+/**
+ * Notes the state of the connection; a page of a cell shows its status in place of the word.
+ * @param {"open" | "silent" | "lost"} status
+ */
 export function onConnection(status) {
   byId("status").dataset.connection = status;
   showChip(byId("status"), { kind: status === "open" ? "ready" : "lost", word: kWords[status] });
 }
 
 /** Refusals of the token before a page could show them. */
-export const earlyRefusals = [];
+export const earlyRefusals = /** @type {Error[]} */ ([]);
 
+/** @type {(hello: any) => void} */
 let greet;
 /** The first `hello`. Whoever awaits it sets `connection.handlers`. */
 export const firstHello = new Promise((resolve) => (greet = resolve));
 
 export const connection = new Connection(`ws://${location.host}/ws`, {
-  onMessage: (message) => message.op === "hello" && greet(message), onStatus: onConnection, onTokenRefused: (error) => earlyRefusals.push(error),
+  onMessage: (/** @type {any} */ message) => message.op === "hello" && greet(message), onStatus: onConnection, onTokenRefused: (/** @type {Error} */ error) => earlyRefusals.push(error),
 });
 const asked = new URLSearchParams(location.search).get("cell");
 if (asked) history.replaceState(null, "", pathOfCell(asked) + location.hash);

@@ -1,21 +1,28 @@
+// @ts-check
 // The motors of a robot file, in the order of a state: the joints from the base, the carousel if
 // there is one, then the tool.
 import { mmPerUnit } from "./kinematics.js";
 
+/**
+ * @typedef {import("./monitor_types").Robot} Robot
+ * @typedef {import("./monitor_types").Joint} Joint
+ */
+
+/** @param {Robot} robot */
 const beside = ({ carousel }) => (carousel ? [carousel] : []);
 
-/** Label, name and limits of every motor. */
+/** Label, name and limits of every motor. @param {Robot} robot @returns {Joint[]} */
 export const motorFiles = (robot) => [...robot.joints, ...beside(robot), { ...robot.tool, name: "tool" }];
 
-/** The labels of a state's `joints`. */
+/** The labels of a state's `joints`. @param {Robot} robot */
 export const jointLabels = (robot) => [...robot.joints, ...beside(robot)].map(({ label }) => label);
 
-/** "deg" or "mm": the unit of a motor's value. */
+/** "deg" or "mm": the unit of a motor's value. @param {Pick<Joint, "variable" | "kind">} motor */
 export const unitOf = ({ variable, kind }) => (variable === "d" || kind === "parallel" ? "mm" : "deg");
 
 /**
  * The values of all motors at these counts, by label, in degrees or mm: the value at the soft home, and the precision
- * for each count of the motor and of those coupled to it.
+ * for each count of the motor and of those coupled to it. @param {Robot} robot @param {Record<string, number>} counts
  */
 export function valuesOf(robot, counts) {
   const positions = { ...counts };
@@ -29,4 +36,5 @@ export function valuesOf(robot, counts) {
   }));
 }
 
+/** @param {Joint} motor */
 const homeOf = ({ home = 0, variable, theta_deg, d }) => (variable === "theta" ? theta_deg : variable === "d" ? d : home);

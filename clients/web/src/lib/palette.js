@@ -1,3 +1,4 @@
+// @ts-check
 // The sixteen colours of robot and workcell files, adapted to solid surfaces.
 
 export const kColors = [
@@ -5,6 +6,7 @@ export const kColors = [
   "#6b747e", "#4f8ff7", "#4fbf6b", "#8fa9bd", "#e0584f", "#c26fd6", "#efc443", "#f4f6f8",
 ];
 
+/** @param {number} index */
 export const colorOf = (index) => kColors[index] ?? kColors[7];
 
 /** The names of the EGA palette, which the paper's machine used. */
@@ -12,4 +14,5 @@ export const kColorNames = [
   "black", "blue", "green", "cyan", "red", "magenta", "brown", "light grey",
   "dark grey", "light blue", "light green", "light cyan", "light red", "light magenta", "yellow", "white",
 ];
+/** @param {number} index */
 export const colorNameOf = (index) => kColorNames[index] ?? `colour ${index}`;

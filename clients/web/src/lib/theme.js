@@ -1,20 +1,25 @@
+// @ts-check
 // Light or dark: as the system prefers, until the user chooses; the choice is remembered.
 import { byId } from "./dom.js";
 import { recall, remember } from "./memory.js";
 
+/** @typedef {"light" | "dark"} Theme */
+
+/** @type {Set<(name: Theme) => void>} */
 const listeners = new Set();
 const prefersDark = matchMedia("(prefers-color-scheme: dark)");
 const { dataset } = document.documentElement;
 
+/** @param {Theme} name */
 function setTheme(name) {
   dataset.theme = name;
   for (const listener of listeners) listener(name);
 }
 
-/** Calls `listener(name)` now and after each change. */
+/** Calls `listener(name)` now and after each change. @param {(name: Theme) => void} listener */
 export function onTheme(listener) {
   listeners.add(listener);
-  listener(dataset.theme);
+  listener(/** @type {Theme} */ (dataset.theme));
 }
 
 const usual = () => (prefersDark.matches ? "dark" : "light");
@@ -27,4 +32,5 @@ function choose() {
 
 for (const id of ["theme", "theme-too"]) byId(id).onclick = choose;
 prefersDark.addEventListener("change", () => recall("theme", "") || setTheme(usual()));
-setTheme(recall("theme", "") === "dark" ? "dark" : recall("theme", "") === "light" ? "light" : usual());
+const chosen = recall("theme", /** @type {string} */ (""));
+setTheme(chosen === "dark" || chosen === "light" ? chosen : usual());

@@ -1,13 +1,15 @@
+// @ts-check
 // The token: read from the URL fragment, which browsers do not send to the server, and kept in the
 // tab's sessionStorage, so that it survives a reload.
 
 const kKey = "xr3-token";
 
-/** The token in a fragment, or null. Only % is decoded: `+` is a plus. */
+/** The token in a fragment, or null. Only % is decoded: `+` is a plus. @param {string} fragment */
 export function tokenOf(fragment) {
   const given = /(?:^#?|&)token=([^&]*)/.exec(fragment)?.[1];
   return given ? decoded(given) : null;
 }
+/** @param {string} text */
 function decoded(text) {
   try {
     return decodeURIComponent(text);
@@ -33,6 +35,7 @@ export function kept() {
     return "";
   }
 }
+/** @param {string | null} token empty: forgets it */
 export function keep(token) {
   try {
     if (token) sessionStorage.setItem(kKey, token);

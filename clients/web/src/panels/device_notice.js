@@ -1,7 +1,10 @@
+// @ts-check
 // A notice while the server has a physical controller: who gets the commands, and a button that stops the arm.
 import { setText } from "../lib/dom.js";
 
-/** The sentence for a state with a device. */
+/** @typedef {import("../lib/monitor_types").State} State */
+
+/** The sentence for a state with a device. @param {State} state */
 const sentenceOf = ({ enabled, device }) => {
   if (!device.open) return `Device ${device.path} is not there: commands for it are dropped.`;
   if (device.engaged) return `Commands go to the arm at ${device.path}.`;
@@ -10,12 +13,17 @@ const sentenceOf = ({ enabled, device }) => {
 };
 
 export class DeviceNotice {
-  /** `host` is hidden without a device; `text` gets the sentence, `button` calls `stop`. */
+  /**
+   * @param {{host: HTMLElement, text: HTMLElement, button: HTMLElement, stop: () => void}} parts
+   *   `host` is hidden without a device; `text` gets the sentence, `button` calls `stop`
+   */
   constructor({ host, text, button, stop }) {
-    Object.assign(this, { host, text });
+    this.host = host;
+    this.text = text;
     button.addEventListener("click", stop);
   }
 
+  /** @param {State} state */
   setState(state) {
     this.host.hidden = !state.device;
     if (!state.device) return;
