@@ -13,14 +13,15 @@ const kPhone = matchMedia("(max-width: 899px)");
 export class FirstSteps {
   /**
    * @param {{stage: HTMLElement, side: HTMLElement, send: (text: string) => Promise<unknown>, pick: (block: string) => Promise<void>,
-   *   getPort: () => Promise<number | null>, onError: (error: unknown) => void}} parts
+   *   getPort: () => Promise<number | null>, lock: {apply: () => void}, onError: (error: unknown) => void}} parts
    */
-  constructor({ stage, side, send, pick, getPort, onError }) {
+  constructor({ stage, side, send, pick, getPort, lock, onError }) {
     this.stage = stage;
     this.side = side;
     this.send = send;
     this.pick = pick;
     this.getPort = getPort;
+    this.lock = lock;
     this.onError = onError;
     this.card = el("section.first", { id: "first-steps", "aria-label": "Three things to try", hidden: true });
     kPhone.addEventListener("change", () => this.#place());
@@ -45,6 +46,7 @@ export class FirstSteps {
     this.card.replaceChildren(el("header", {}, el("h2", {}, "Things to try"), close), el("ol", {}, ...steps.map((step, i) => this.#item(step, i + 1))),
       el("p.hint", {}, "Or take the orange ball at the tip and drag it. Help shows this card again."));
     this.card.hidden = false;
+    this.lock.apply(); // its buttons are new
   }
 
   close() {
