@@ -129,7 +129,10 @@ const lines = new LinesPanel({
   ask: () => connection.call("lines"), getPort: robotPort, mayCall: () => access.mayCall, tickNow: () => (known.state ? timeBar.tickNow() : 0), hz: () => known.hello?.tick_hz ?? 1000,
   onChoose: showWireOf,
 });
-const plots = new PlotPanel({ host: byId("plots-panel"), tickNow: () => (known.state ? timeBar.tickNow() : 0), hz: () => known.hello?.tick_hz ?? 1000 });
+const plots = new PlotPanel({
+  host: byId("plots-panel"), tickNow: () => (known.state ? timeBar.tickNow() : 0), hz: () => known.hello?.tick_hz ?? 1000,
+  askTrace: () => connection.call("trace", { every: 33 }).then(({ samples }) => samples),
+});
 const commandLine = new CommandLine({
   form: byId("console-form"), input: byId("console-input"), send: (text) => connection.call("send", { text }), onError: showError,
 });
@@ -164,7 +167,6 @@ byId("stop-motors").onclick = () => mover.drive.stop().catch(showError);
 const drawer = new Drawer((panel) => {
   if (panel === "wire-panel") wire.show();
   if (panel === "lines-panel") lines.show();
-  if (panel === "plots-panel") plots.show();
 });
 new RobotMenu({ known, cellName, getPort: robotPort, openWorkcell: () => drawer.choose("tab-workcell") });
 connectSections();

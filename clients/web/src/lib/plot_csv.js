@@ -1,10 +1,14 @@
+// @ts-check
 // The samples of the plots as a table of comma-separated values: one line for each, the oldest first.
 
-const quoted = (text) => (/[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
+/** @typedef {import("./plot_history.js").Mark} Mark */
+
+const quoted = (/** @type {string} */ text) => (/[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
 
 /**
  * The columns: epoch, tick, seconds; of each motor its value in deg or mm, its count and its error counter;
  * the tip in mm; and the marks since the previous line. `units` has the unit of each label.
+ * @param {import("./plot_history.js").PlotHistory} history @param {Map<string, string>} units
  */
 export function plotCsv(history, units) {
   const { labels } = history;
@@ -21,13 +25,17 @@ export function plotCsv(history, units) {
   return `${rows.join("\n")}\n`;
 }
 
+/** @param {string} name @param {Map<string, string>} units */
 function titleOf(name, units) {
   const [label, kind] = name.split(" ");
   if (!kind) return `${label}_mm`;
   return kind === "value" ? `${label}_${units.get(label)}` : `${label}_${kind}`;
 }
 
-/** Takes the marks up to a tick of a part out of the list, and gives the texts of those of the part. */
+/**
+ * Takes the marks up to a tick of a part out of the list, and gives the texts of those of the part.
+ * @param {Mark[]} marks @param {number} part @param {number} tick
+ */
 function marksUntil(marks, part, tick) {
   const texts = [];
   while (marks.length > 0 && (marks[0].part < part || (marks[0].part === part && marks[0].tick <= tick))) {

@@ -22,6 +22,12 @@ export function onTheme(listener) {
   listener(/** @type {Theme} */ (dataset.theme));
 }
 
+/** Gives the colours of the theme by their names: of the page's, or that of an element. @returns {(name: string) => string} */
+export function themeColors(element = document.documentElement) {
+  const style = getComputedStyle(element);
+  return (name) => style.getPropertyValue(name).trim();
+}
+
 const usual = () => (prefersDark.matches ? "dark" : "light");
 
 function choose() {
