@@ -58,6 +58,7 @@ test("a new epoch breaks the line; the earlier one ends where it begins", () => 
 test("a lost connection breaks the line and keeps its time; a restarted server begins a new part", () => {
   const history = historyOf(state(1000, 1));
   history.break();
+  history.add(state(1000, 1)); // again the last one, before the first of the new connection
   history.add(state(4000, 2));
   assert.deepEqual(all(history), [[1, 1], [2.5, null], [4, 2]]);
   history.break();
@@ -120,4 +121,63 @@ test("events of an epoch that began and ended while no states came have no mark 
   history.add(state(300, 0, { epoch: 2 }));
   history.add(state(500, 5, { epoch: 2 }));
   assert.deepEqual(history.placedMarks().map(({ text }) => text), ["stall"]);
+});
+
+const columns = (history) => history.timeline().map(({ from, to }) => Array.from({ length: to - from }, (_, i) => history.sample(from + i).tick));
+
+test("states of before are inserted ahead of the first sample of the present epoch, none twice, without a gap", () => {
+  const history = historyOf(state(7000, 1), state(2000, 5, { epoch: 1 }), state(2100, 6, { epoch: 1 }));
+  history.mark({ event: "stalled", epoch: 1, tick: 1000, message: "" });
+  assert.deepEqual(history.placedMarks(), [], "nothing of its time is kept");
+  history.prefill([state(0, 0, { epoch: 1 }), state(1000, 2, { epoch: 1 }), state(2000, 5, { epoch: 1 }), state(2050, 9, { epoch: 1 }), state(2300, 8, { epoch: 1 })]);
+  assert.deepEqual(all(history).filter(([, y]) => y !== null).map(([x, y]) => [x, y]), [[-0.5, 1], [0, 0], [1, 2], [2, 5], [2.1, 6]]);
+  assert.deepEqual(columns(history), [[7000], [0, 1000, 2000, 2100]]);
+  assert.deepEqual(history.placedMarks().map(({ x }) => x), [1]);
+  history.add(state(2400, 7, { epoch: 1 }));
+  assert.deepEqual(all(history).at(-1), [2.4, 7]);
+  history.prefill([state(0, 0, { epoch: 1 }), state(1000, 2, { epoch: 1 })]);
+  assert.equal(history.length, 6, "asked again, nothing is new");
+});
+
+test("a gap of a lost connection is filled if the states begin before it, and stays a gap if they do not", () => {
+  for (const [from, isClosed] of [[1000, true], [2000, false]]) {
+    const history = historyOf(state(1000, 1), state(1500, 2));
+    history.break();
+    history.add(state(4000, 5));
+    history.prefill([1000, 2000, 3000].filter((tick) => tick >= from).map((tick) => state(tick, tick / 1000)));
+    assert.deepEqual(all(history).filter(([, y]) => y !== null).map(([x]) => x), [1, 1.5, 2, 3, 4]);
+    assert.equal(all(history).some(([, y]) => y === null), !isClosed);
+  }
+});
+
+test("states of another epoch, or before any sample, are not taken; those of a restarted server only into its own part", () => {
+  const history = historyOf();
+  history.prefill([state(0, 1)]);
+  assert.equal(history.length, 0);
+  history.add(state(5000, 1));
+  history.prefill([state(0, 7, { epoch: 3 })]);
+  assert.deepEqual(columns(history), [[5000]]);
+  history.break();
+  history.add(state(300, 2));
+  history.prefill([state(0, 0), state(100, 1)]);
+  assert.deepEqual(columns(history), [[5000], [0, 100, 300]]);
+});
+
+test("what is inserted obeys the capacity: the oldest go", () => {
+  const history = historyOf(...Array.from({ length: 40 }, (_, i) => state(1000 + i, i)));
+  history.prefill(Array.from({ length: 500 }, (_, i) => state(i, -i)));
+  assert.equal(history.length - history.first, 100);
+  assert.deepEqual([history.sample(history.first).tick, history.sample(history.length - 1).tick], [440, 1039]);
+  for (let i = 0; i < 70; ++i) history.add(state(2000 + i, i));
+  assert.equal(history.sample(history.first).tick, 1010);
+});
+
+test("nothing has moved until a sample differs", () => {
+  const history = historyOf(state(0, 3), state(100, 3), state(200, 3));
+  assert.equal(history.hasMoved, false);
+  history.prefill([state(0, 3)]);
+  history.add(state(300, 4));
+  assert.equal(history.hasMoved, true);
+  history.clear();
+  assert.equal(history.hasMoved, false);
 });

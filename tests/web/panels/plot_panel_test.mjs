@@ -67,6 +67,7 @@ test("the pointer reads values, too", () =>
   withPage(["--clock", "manual"], async (page, server) => {
     await page.click("#tab-plots");
     await move(page, server);
+    await page.selectOption("#plot-window", "5");
     const { x, y, width, height } = await page.locator("#plot-joints .u-over").boundingBox();
     await page.mouse.move(x + width - 3, y + height / 2);
     await page.waitForFunction(() => /^epoch 0, 0\.[2-6]00 s: F/.test(document.querySelector("#plot-at").textContent));
@@ -87,7 +88,7 @@ test("stall, grasp and epochs are marked; the file has what is kept", () =>
     await page.waitForFunction(() => window.xr3.known.state.epoch === 1 && window.xr3.known.state.tick === 300);
     await page.selectOption("#plot-window", "0");
     await page.waitForFunction(() => window.xr3.plots.jointView.marks.map(({ text }) => text).sort().join() === "epoch 1,grasp green");
-    const [saved] = await Promise.all([page.waitForEvent("download"), page.click("#plot-save")]);
+    const [saved] = await Promise.all([page.waitForEvent("download"), page.click("#plot-csv")]);
     const rows = (await readFile(await saved.path(), "utf8")).trim().split("\n").map((row) => row.split(","));
     const at = (title) => rows[0].indexOf(title);
     assert.ok(at("F_deg") > 0 && at("A_mm") > 0 && at("z_mm") > 0, String(rows[0]));
@@ -136,3 +137,125 @@ test("the plots follow the theme", () =>
     await page.click("#theme");
     await waitForInk(page, kJoints, "--plot-0"); // in the dark theme's colour
   }, { colorScheme: "light" }));
+
+// --- The path of the tip, the SVG file, the empty panel, and the server's history.
+
+const dotOf = (page) => page.$eval("#plot-path circle", (dot) => [dot.getAttribute("cx"), dot.getAttribute("cy")]);
+
+test("the path of the tip from above has a dot at the present, or at the sample that is read", () =>
+  withPage(["--clock", "manual"], async (page, server) => {
+    await page.click("#tab-plots");
+    await move(page, server);
+    await page.waitForFunction(() => document.querySelectorAll("#plot-path path[stroke-linejoin]").length === 1 && window.xr3.plots.points.length > 5);
+    const [now, tip] = [await dotOf(page), (await server.state()).tool.xyz_mm];
+    const { path } = await page.evaluate(() => window.xr3.plots.tipPath);
+    assert.ok(Math.abs(path.dot[0] - tip[0]) < 0.01 && Math.abs(path.dot[1] - tip[1]) < 0.01, String(path.dot));
+    await page.focus("#plot-tip");
+    await page.keyboard.press("Home");
+    const first = await dotOf(page);
+    assert.ok(Number(first[1]) > Number(now[1]) + 10, "y goes up, and the arm has turned to the left");
+    await page.keyboard.press("Escape");
+    assert.deepEqual(await dotOf(page), now);
+  }));
+
+test("the SVG file has the three plots as they are shown, in the colours of paper", () =>
+  withPage(["--clock", "manual"], async (page, server) => {
+    await page.click("#tab-plots");
+    await move(page, server);
+    await page.uncheck("#plot-joints-legend label:nth-child(2) input"); // E
+    const [saved] = await Promise.all([page.waitForEvent("download"), page.click("#plot-svg")]);
+    assert.equal(saved.suggestedFilename(), "plots.svg");
+    const text = await readFile(await saved.path(), "utf8");
+    const texts = await page.evaluate((each) => {
+      const file = new DOMParser().parseFromString(each, "image/svg+xml");
+      return file.querySelector("parsererror") ? null : [...file.querySelectorAll("text")].map(({ textContent }) => textContent);
+    }, text);
+    assert.ok(texts, "valid XML");
+    for (const each of ["Joints: degrees and mm", "Tip", "Tip from above: x against y", "F base", "A tool", "degrees", "mm", "time", "0 s", "x, mm", "y, mm"])
+      assert.ok(texts.includes(each), each);
+    assert.ok(!texts.includes("E shoulder"), "its line is switched off");
+    assert.match(text, /fill="#ffffff"/);
+    assert.match(text, /stroke="#b94a17"/);
+  }, { colorScheme: "dark" }));
+
+test("while nothing has moved the panel says what appears there", () =>
+  withPage(["--clock", "manual"], async (page, server) => {
+    await page.click("#tab-plots");
+    await page.waitForSelector("#plots-empty:visible");
+    assert.match(await page.textContent("#plots-empty"), /Nothing has moved yet/);
+    assert.ok(await page.isHidden("#plot-joints") && await page.isDisabled("#plot-svg"));
+    await move(page, server);
+    await page.waitForSelector("#plot-joints:visible");
+    assert.ok(await page.isHidden("#plots-empty") && await page.isEnabled("#plot-svg"));
+    await waitForInk(page, kJoints, "--plot-0");
+    await page.click("#plot-clear");
+    await page.waitForSelector("#plots-empty:visible");
+  }));
+
+const ticks = (page) => page.evaluate(() => {
+  const { history } = window.xr3.plots;
+  return Array.from({ length: history.length }, (_, i) => history.sample(i).tick);
+});
+/** Answers the panel's question with states of two early ticks. */
+const giveTrace = (page) => page.evaluate(() => {
+  const { plots, known: { state } } = window.xr3;
+  window.asked = 0;
+  const joints = state.joints.map((joint) => ({ ...joint, count: 7 }));
+  plots.askTrace = async () => {
+    ++window.asked;
+    return [50, 150].map((tick) => ({ ...state, tick, joints }));
+  };
+});
+
+test("shown for the first time, and after a reconnection, the plots get what the server has kept", () =>
+  withPage(["--clock", "manual"], async (page, server) => {
+    await move(page, server);
+    await page.evaluate(() => window.xr3.plots.history.clear()); // as if the page had been opened now
+    await type(server.robot, "F-60\r");
+    await step(server, 100);
+    await reaches(page, 700);
+    await giveTrace(page);
+    const before = await ticks(page);
+    assert.ok(before[0] >= 600, String(before));
+    await page.click("#tab-plots");
+    await page.waitForFunction((count) => window.xr3.plots.history.length === count, before.length + 2);
+    assert.deepEqual((await ticks(page)).slice(0, 2), [50, 150]);
+    await page.click("#tab-wire");
+    await page.click("#tab-plots");
+    await page.evaluate(() => window.xr3.disconnect());
+    await page.waitForSelector('#status:not([data-connection="open"])');
+    await page.waitForSelector('#status[data-connection="open"]');
+    await step(server, 100);
+    await page.waitForFunction(() => window.asked === 2 && window.xr3.plots.history.last.tick === 800);
+    assert.equal(new Set(await ticks(page)).size, (await ticks(page)).length, "nothing twice");
+  }));
+
+test("what Clear has removed does not come back", () =>
+  withPage(["--clock", "manual"], async (page, server) => {
+    await move(page, server);
+    await giveTrace(page);
+    await page.evaluate(() => document.querySelector("#plot-clear").click());
+    await type(server.robot, "F-60\r");
+    await step(server, 100);
+    await reaches(page, 700);
+    await page.click("#tab-plots");
+    await page.waitForFunction(() => window.asked === 1 && window.xr3.plots.draws > 0);
+    assert.ok((await ticks(page)).every((tick) => tick >= 600), String(await ticks(page)));
+  }));
+
+test("the server is asked once, when the plots are seen, and its refusal is not shown", () =>
+  withPage(["--clock", "manual"], async (page, server) => {
+    const sent = [];
+    page.on("websocket", (socket) => socket.on("framesent", ({ payload }) => String(payload).includes('"trace"') && sent.push(JSON.parse(payload))));
+    await page.reload();
+    await page.waitForFunction(() => window.xr3?.known?.state && window.xr3.plots.history.length > 0);
+    await move(page, server);
+    assert.deepEqual(sent, []);
+    await page.click("#tab-plots");
+    await waitForInk(page, kJoints, "--plot-0");
+    await page.click("#tab-wire");
+    await page.click("#tab-plots");
+    await page.waitForSelector("#plot-joints:visible");
+    assert.deepEqual(sent.map(({ fn, args }) => [fn, args]), [["trace", { every: 33 }]]);
+    assert.ok(await page.isHidden("#message"));
+  }));

@@ -19,13 +19,12 @@ import { axisTexts } from "./plot_text.js";
  */
 
 /** Room for the numbers and labels around a plot, pixels. */
-export const kRoom = { left: 58, right: 8, top: 8, bottom: 22 };
+const kRoom = { left: 58, right: 14, top: 8, bottom: 22 };
 export const kFont = 'font-family="system-ui, Segoe UI, Roboto, DejaVu Sans, sans-serif" font-size="12"';
 
 const kMaxPoints = 2000; // of one line
 const kNearPx = 0.5; // points closer to the last one are left out; more of a line that has too many
 const kFarPx = 1e4;
-const kLetterPx = 7;
 const kLinePx = 14;
 const kTickPx = { x: 70, y: 28 }; // distance of two numbers, at least
 
@@ -92,14 +91,13 @@ export function drawPlot(plot, box, colors) {
 function xAxis(scale, { left, top, width, height }, colors) {
   const place = across(scale, width);
   const ticks = ticksOf(scale.low, scale.high, width / kTickPx.x);
-  const free = width - (scale.label.length + 3) * kLetterPx; // the label stands at the end of the numbers
   const bottom = top + height;
   const texts = (scale.textsOf ?? axisTexts)(ticks);
   const numbers = ticks.map((tick, i) => {
     const x = round(left + place(tick));
-    return `<path d="M${x} ${top}V${bottom + 4}" stroke="${colors.line}"/>${place(tick) > free ? "" : textAt(x, bottom + 17, texts[i], "middle", colors)}`;
+    return `<path d="M${x} ${top}V${bottom + 4}" stroke="${colors.line}"/>${textAt(x, bottom + 17, texts[i], "middle", colors)}`;
   });
-  return `${numbers.join("")}${textAt(left + width, bottom + 17, scale.label, "end", colors)}`;
+  return `${numbers.join("")}${textAt(left - 18, bottom + 17, scale.label, "end", colors)}`;
 }
 
 /** @param {Scale} scale @param {boolean} isRight @param {Box} box @param {Colors} colors */

@@ -69,6 +69,7 @@ export class PlotHistory {
   add(state) {
     const { epoch, tick } = state;
     const isNewTime = !this.last || epoch !== this.last.epoch || tick < this.last.tick;
+    if (!isNewTime && this.mustBreak && tick === this.last.tick) return; // the page shows its last state again
     if (isNewTime || this.mustBreak) this.#begin(epoch, isNewTime);
     this.#push(this.#lastPart, tick, this.#rowOf(state));
     this.last = { epoch, tick, isMoving: state.moving };

@@ -23,7 +23,7 @@ const seriesColor = (/** @type {number} */ index) => `--plot-${index % 8}`; // t
 const isDashed = (/** @type {Series} */ { index }) => index >= kDashFrom;
 const markColor = (/** @type {PlacedMark} */ { kind }) => kMarkColors[kind] ?? "--good";
 const markDash = (/** @type {PlacedMark} */ { kind }) => (kind === "epoch" ? [] : kMarkDash);
-const unitText = (/** @type {string} */ unit) => (unit === "deg" ? "°" : unit);
+const unitText = (/** @type {string} */ unit) => (unit === "deg" ? "degrees" : unit);
 
 export class PlotView {
   /**
