@@ -82,7 +82,7 @@ test("stall, grasp and epochs are marked; the file has what is kept", () =>
     await type(server.robot, "A+100\r");
     await step(server, 2000);
     await call(server.monitor, "reset");
-    await type(server.robot, "F+10\r");
+    await type(server.robot, "F+60\r"); // still moves after 300 ticks, so that a state comes
     await step(server, 300);
     await page.click("#tab-plots");
     await page.waitForFunction(() => window.xr3.known.state.epoch === 1 && window.xr3.known.state.tick === 300);
