@@ -35,6 +35,7 @@ import { NoScene } from "./scene/no_scene.js";
 import { PaperView } from "./panels/paper_view.js";
 import { PastFrames } from "./rewind/past_frames.js";
 import { isOverview } from "./lib/place.js";
+import { pastStates } from "./lib/past_states.js";
 import { textOf } from "./lib/refusal.js";
 import { PlotPanel } from "./panels/plot_panel.js";
 import { Rewind } from "./rewind/rewind.js";
@@ -131,7 +132,7 @@ const lines = new LinesPanel({
 });
 const plots = new PlotPanel({
   host: byId("plots-panel"), tickNow: () => (known.state ? timeBar.tickNow() : 0), hz: () => known.hello?.tick_hz ?? 1000,
-  askTrace: () => connection.call("trace", { every: 33 }).then(({ samples }) => samples),
+  askTrace: () => pastStates((fn, args) => connection.call(fn, args)),
 });
 const commandLine = new CommandLine({
   form: byId("console-form"), input: byId("console-input"), send: (text) => connection.call("send", { text }), onError: showError,

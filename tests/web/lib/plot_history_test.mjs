@@ -129,7 +129,7 @@ test("states of before are inserted ahead of the first sample of the present epo
   const history = historyOf(state(7000, 1), state(2000, 5, { epoch: 1 }), state(2100, 6, { epoch: 1 }));
   history.mark({ event: "stalled", epoch: 1, tick: 1000, message: "" });
   assert.deepEqual(history.placedMarks(), [], "nothing of its time is kept");
-  history.prefill([state(0, 0, { epoch: 1 }), state(1000, 2, { epoch: 1 }), state(2000, 5, { epoch: 1 }), state(2050, 9, { epoch: 1 }), state(2300, 8, { epoch: 1 })]);
+  history.prefill([state(0, 0, { epoch: 1 }), state(1000, 2, { epoch: 1 }), state(1000, 2, { epoch: 1 }), state(2000, 5, { epoch: 1 }), state(2050, 9, { epoch: 1 }), state(2300, 8, { epoch: 1 })]);
   assert.deepEqual(all(history).filter(([, y]) => y !== null).map(([x, y]) => [x, y]), [[-0.5, 1], [0, 0], [1, 2], [2, 5], [2.1, 6]]);
   assert.deepEqual(columns(history), [[7000], [0, 1000, 2000, 2100]]);
   assert.deepEqual(history.placedMarks().map(({ x }) => x), [1]);

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { after, test } from "node:test";
-import { call, close, type, withPage } from "../bench.mjs";
+import { call, close, ready, type, withPage } from "../bench.mjs";
 
 after(close);
 
@@ -243,19 +243,31 @@ test("what Clear has removed does not come back", () =>
     assert.ok((await ticks(page)).every((tick) => tick >= 600), String(await ticks(page)));
   }));
 
-test("the server is asked once, when the plots are seen, and its refusal is not shown", () =>
+test("a page that is opened late shows what came before it; the server is asked once, when the plots are seen", () =>
   withPage(["--clock", "manual"], async (page, server) => {
-    const sent = [];
-    page.on("websocket", (socket) => socket.on("framesent", ({ payload }) => String(payload).includes('"trace"') && sent.push(JSON.parse(payload))));
-    await page.reload();
-    await page.waitForFunction(() => window.xr3?.known?.state && window.xr3.plots.history.length > 0);
     await move(page, server);
-    assert.deepEqual(sent, []);
+    const asked = [];
+    page.on("websocket", (socket) => socket.on("framesent", ({ payload }) => asked.push(JSON.parse(payload).fn)));
+    await page.reload();
+    await ready(page);
+    await page.waitForFunction(() => window.xr3.plots.history.length === 1);
+    assert.ok(!asked.includes("trace"));
     await page.click("#tab-plots");
     await waitForInk(page, kJoints, "--plot-0");
+    assert.deepEqual([(await ticks(page))[0], (await ticks(page)).at(-1)], [0, 600]);
+    const counts = await page.evaluate(() => window.xr3.plots.history.window(["F count"], -1, 9).ys[0]);
+    assert.ok(!counts.includes(null) && counts.includes(0) && counts.at(-1) === 60 && counts.length > 15, String(counts));
+    const calls = asked.filter((fn) => fn === "trace").length;
     await page.click("#tab-wire");
     await page.click("#tab-plots");
     await page.waitForSelector("#plot-joints:visible");
-    assert.deepEqual(sent.map(({ fn, args }) => [fn, args]), [["trace", { every: 33 }]]);
+    assert.equal(asked.filter((fn) => fn === "trace").length, calls);
+  }));
+
+test("without a history the plots start now, and nothing is said of it", () =>
+  withPage(["--clock", "manual", "--history", "0"], async (page, server) => {
+    await page.click("#tab-plots");
+    await move(page, server);
+    await waitForInk(page, kJoints, "--plot-0");
     assert.ok(await page.isHidden("#message"));
   }));

@@ -6,7 +6,7 @@
 // event: `hold` adds a sample there, without which the line would rise from the last state on.
 
 /** @typedef {import("./monitor_types.d.ts").State} State */
-/** @typedef {Pick<State, "epoch" | "tick" | "moving" | "joints" | "tool">} Moment what a sample needs of a state */
+/** @typedef {Pick<State, "epoch" | "tick" | "joints" | "tool"> & {moving?: boolean}} Moment what a sample needs of a state */
 /** @typedef {{event: string, epoch: number, tick: number, message?: string, block?: string}} Happening a message of the channel `event` */
 /** @typedef {{kind: string, part: number, epoch: number, tick: number, message?: string, text: string}} Mark */
 /** @typedef {{kind: string, text: string, x: number}} PlacedMark */
@@ -89,7 +89,7 @@ export class PlotHistory {
    * @param {Moment[]} states
    */
   prefill(states) {
-    const found = states.filter(({ epoch }) => epoch === this.last?.epoch);
+    const found = states.filter(({ epoch, tick }, i) => epoch === this.last?.epoch && tick !== states[i - 1]?.tick);
     if (found.length === 0) return;
     const timeline = this.timeline();
     const present = timeline.findLastIndex(({ isNewTime }) => isNewTime);
