@@ -34,6 +34,7 @@ import { Mover } from "./lib/mover.js";
 import { NoScene } from "./scene/no_scene.js";
 import { PaperView } from "./panels/paper_view.js";
 import { PastFrames } from "./rewind/past_frames.js";
+import { isSooner } from "./rewind/axis.js";
 import { isOverview } from "./lib/place.js";
 import { pastStates } from "./lib/past_states.js";
 import { textOf } from "./lib/refusal.js";
@@ -122,8 +123,7 @@ const tipDrag = new TipDrag({ host: document.querySelector(".stage"), scene, han
 const camera = new CameraPanel(byId("camera"), byId("camera-caption"));
 const digitalLines = new DigitalLines({ setInput: (i, value) => call("input", { input: i + 1, value }) });
 const wire = new WirePanel({
-  list: byId("wire"), filter: byId("wire-filter"), count: byId("wire-count"), status: byId("wire-status"), source: byId("wire-source"),
-  onSource: (source) => lines.setChosen(source?.key ?? null),
+  send: (text) => commandLine.transmit(text), onSource: (source) => lines.setChosen(source?.key ?? null), onError: showError,
 });
 const lines = new LinesPanel({
   host: byId("lines-panel"), table: byId("lines-table"), body: byId("lines"), note: byId("lines-note"),
@@ -196,6 +196,7 @@ const kKeys = [
   { keys: ["w"], shown: "W", does: "Wire", act: () => drawer.choose("tab-wire") },
   { keys: ["j"], shown: "J", does: "open or close the drawer", act: () => byId("drawer-toggle").click() },
   { keys: ["t"], shown: "T", does: "time bar", act: () => byId("rewind").click() },
+  { keys: ["n", "N"], shown: "N", does: "look at the next mark of the time bar; with Shift at the one before", act: ({ key }) => rewind.toMark(key === "n" ? 1 : -1) },
   { keys: ["?"], shown: "?", does: "this help", act: () => help.open() },
   { keys: [], shown: "Ctrl Z", does: "undo in the workcell; with Shift redo", act: () => {} },
   { keys: [], shown: "Esc", does: "let go, drop what waits, close, back to now", act: () => {} },
@@ -224,7 +225,7 @@ function showWireOf(entry) {
 
 const views = [scene, joints, tool, camera, workcell, blockCard]; // of model and state
 const pastFrames = new PastFrames({
-  known, onEnter: () => plots.leave(), onLeave: () => scene.jump(),
+  known, onEnter: () => plots.leave(), onLeave,
   show: {
     model: showModel, state: showPast, image: (m) => camera.setImage(m), display: (m) => old.setDisplay(m),
   },
@@ -253,7 +254,7 @@ function takeHello(hello) {
   mover.clear();
   known.contest = null; // its lines may be closed since
   lines.show();
-  if (before) wire.reconnected(isSooner(hello, before));
+  if (before) wire.reconnected(isSooner(hello, before)); // then the server has been restarted
   rewind.reconnected();
   recallWire();
 }
@@ -276,9 +277,6 @@ function takeLocked() {
   setText(byId("robot-name"), "locked");
   access.set("none");
 }
-
-/** Simulated time never decreases: if a is earlier than b, the server has been restarted. */
-const isSooner = (a, b) => a.epoch < b.epoch || (a.epoch === b.epoch && a.tick < b.tick);
 
 // If this fails (no token yet, or connection lost), it is repeated after the next hello or Unlock.
 async function recallWire() {
@@ -304,7 +302,7 @@ function takeModel(model) {
   known.model = model;
   if (known.hello) showName(model.robot.name);
   showModel(model);
-  for (const panel of [plots, teach, firstSteps]) panel.setModel(model);
+  for (const panel of [plots, teach, firstSteps, wire]) panel.setModel(model);
   lock.apply();
   if (!isSame(model.robot, known.robot)) takeRobot(model.robot);
 }
@@ -329,8 +327,14 @@ function takeState(state) {
   showStatus();
 }
 
+function onLeave() {
+  scene.jump();
+  wire.setMoment(null);
+}
+
 function showPast(state) {
   for (const panel of [...views, digitalLines]) panel.setState(state);
+  wire.setMoment(state);
   timeBar.follow();
   showStatus();
 }
@@ -407,7 +411,7 @@ function showStatus() {
   status.show(statusOf({
     connection: byId("status").dataset.connection, state, place, contest: known.contest ?? null, hz: hello?.tick_hz ?? 1000,
     retryS: connection.retryInS, heardS: (performance.now() - (connection.heardAt ?? 0)) / 1000,
-  }), { mayAct: access.mayCall });
+  }), { mayCall: access.mayCall });
   showMoment(place);
 }
 

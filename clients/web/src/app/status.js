@@ -43,12 +43,16 @@ function lost({ connection, heardS, retryS }) {
   };
 }
 
+/** What the robot does while the page looks at the past. @param {any} state */
+const meanwhile = ({ clock }) =>
+  (clock.past ? "The robot stays where it was taken back to." : clock.mode === "manual" ? "The robot’s time stands still." : "The robot goes on meanwhile.");
+
 /** @param {Situation} now @returns {Status | null} */
 function past({ place, state, hz }) {
   if (place) {
     const ago = state && place.epoch === state.epoch ? `${Math.max(0, Math.round((state.tick - place.tick) / hz))} s ago.` : "in an earlier epoch.";
     return {
-      kind: "past", word: "In the past", what: `You see ${clockText(place.tick, hz)},`, rest: `${ago} The robot goes on meanwhile.`,
+      kind: "past", word: "In the past", what: `You see ${clockText(place.tick, hz)},`, rest: `${ago} ${state ? meanwhile(state) : ""}`,
       action: { name: "Back to now", act: "live" },
     };
   }

@@ -3,7 +3,7 @@
 // back first and last. A click shows them.
 import { el, setText } from "../lib/dom.js";
 
-/** @typedef {{line: number, dir: "in" | "out", text: string, parsed: {code: string, message: string}[]}} LineMessage */
+/** @typedef {import("../lib/wire_text.js").LineMessage} LineMessage */
 
 const kFewest = 3; // inquiries that are folded
 

@@ -1,41 +1,54 @@
+// @ts-check
 // The wire panel: every byte sent and received, by line, with its explanation, as in a serial
 // analyser.
-import { byId, copyText, download, el, setText } from "../lib/dom.js";
-import { WireFold } from "./wire_fold.js";
-import { counted, isOfDevice, isWarning, transcriptLine } from "../lib/wire_text.js";
+import { byId, copyText, download, setText } from "../lib/dom.js";
+import { counted, isNote, transcriptLine } from "../lib/wire_text.js";
+import { timeText } from "../rewind/axis.js";
+import { WireEmpty } from "./wire_empty.js";
+import { WireFilter } from "./wire_filter.js";
+import { kMaxRows, WireList } from "./wire_list.js";
 
-const kMaxRows = 1024;
+/**
+ * @typedef {import("../lib/wire_text.js").LineMessage} LineMessage
+ * @typedef {import("../lib/wire_text.js").WireMessage} WireMessage
+ * @typedef {import("../lib/wire_text.js").Place} Place
+ * @typedef {import("./wire_filter.js").Source} Source
+ */
+
 const kMaxSeen = 8 * kMaxRows;
 
 const kStartedAnew = "The server was restarted: its time and line numbers start again.";
 const kThereAgain = "The connection was lost and restored.";
+const kBeforeAll = { epoch: -1, tick: 0 }; // before every moment of this run of the server
 
-/** Equal for two messages with the same `seq` only if they are the same message. */
+/** Equal for two messages with the same `seq` only if they are the same message. @param {LineMessage} message */
 const printOf = ({ epoch, tick, line, dir, offset, hex }) => [epoch, tick, line, dir, offset, hex].join();
 
-/** Whether a message is of a source: of one line, or of the traffic with the physical controller. */
-const isOf = (source, message) =>
-  source.line ? message.line === source.line : message.parsed.some(({ code }) => isOfDevice(code));
-
 export class WirePanel {
-  /** `source` is a button that names the chosen source of bytes; `onSource(source)` is called when it changes. */
-  constructor({ list, filter, count, status, source, onSource }) {
-    Object.assign(this, { list, filter, count, status, sourceButton: source, onSource });
-    this.source = null;
+  /**
+   * @param {{send: (text: string) => Promise<unknown>, onSource: (source: Source | null) => void, onError: (error: unknown) => void}} parts
+   *   `send` sends text as bytes; `onSource` is called when another source of bytes is chosen
+   */
+  constructor({ send, onSource, onError }) {
+    /** @type {WireMessage[]} */
     this.messages = [];
-    this.#forget();
-    this.reconnection = null; // the reconnection that has no row yet
-    this.isPaused = false;
+    /** @type {WireMessage[]} */
     this.waiting = [];
-    filter.addEventListener("input", () => this.#refresh());
-    this.fold = new WireFold(list);
-    this.follows = true; // the bottom of the list, until the user scrolls up
-    list.addEventListener("scroll", () => list.offsetParent && (this.follows = list.scrollHeight - list.scrollTop - list.clientHeight < 40));
+    this.isPaused = false;
+    this.isRecalled = false;
+    this.#forget();
+    /** @type {{isSurelyAnew: boolean} | null} */
+    this.reconnection = null; // that has no row yet
+    this.empty = new WireEmpty({ host: byId("wire-empty"), button: byId("wire-first"), send, onError });
+    this.filter = new WireFilter({
+      text: byId("wire-filter"), problems: byId("wire-problems"), joint: byId("wire-joint"), source: byId("wire-source"), onSource, onChange: () => this.#refresh(),
+    });
+    this.rows = new WireList({ list: byId("wire"), newer: byId("wire-newer"), onLine: (line) => this.setSource({ line, key: line }) });
     this.#connectButtons();
   }
 
   #connectButtons() {
-    byId("wire-pause").onclick = ({ target }) => {
+    byId("wire-pause").onclick = (/** @type {{target: HTMLElement}} */ { target }) => {
       this.setPaused(!this.isPaused);
       target.setAttribute("aria-pressed", String(this.isPaused));
       setText(target, this.isPaused ? "Resume" : "Pause");
@@ -43,56 +56,74 @@ export class WirePanel {
     byId("wire-clear").onclick = () => this.clear();
     byId("wire-copy").onclick = () => this.copy();
     byId("wire-save").onclick = () => this.save();
-    this.sourceButton.onclick = () => {
-      this.setSource(null);
-      this.filter.focus();
-    };
   }
 
   /** The panel is in sight again. */
   show() {
-    if (this.follows) this.list.scrollTop = this.list.scrollHeight;
+    this.rows.follow();
   }
 
+  /** @param {import("../lib/monitor_types").Model} model */
+  setModel(model) {
+    this.filter.setModel(model);
+    this.empty.setModel(model);
+  }
+
+  /** Shows only the bytes of one entry of `lines`; null: all. @param {Source | null} source */
+  setSource(source) {
+    this.filter.setSource(source);
+  }
+
+  /** Shows only what was sent until a moment; null: the present. New messages are kept meanwhile. @param {Place | null} moment */
+  setMoment(moment) {
+    const before = this.#matching().length;
+    this.filter.moment = moment;
+    byId("wire-moment").hidden = !moment;
+    if (moment) setText(byId("wire-moment"), `As it was at ${timeText(moment.tick)}`);
+    if (this.#matching().length !== before) this.#refresh();
+    else this.#updateCount();
+  }
+
+  /** @param {LineMessage} message */
   take(message) {
     if (this.seen.has(message.seq)) return;
     this.seen.set(message.seq, printOf(message));
     this.lastSeq = message.seq;
+    this.lastPlace = message;
     if (this.seen.size > kMaxSeen) this.seen.delete(this.seen.keys().next().value);
     this.#put(message);
   }
 
+  /** @param {WireMessage} message */
   #put(message) {
     if (this.isPaused) this.#wait(message);
     else this.#add(message);
   }
 
+  /** @param {WireMessage} message */
   #wait(message) {
     this.waiting.push(message);
     if (this.waiting.length > kMaxRows) this.waiting.shift();
     this.#updateCount();
   }
 
+  // A note without a time stands after what came last.
+  /** @param {"lag" | "mark"} kind @param {string} note */
+  #note(kind, note) {
+    this.#put({ epoch: this.lastPlace.epoch, tick: this.lastPlace.tick, kind, note });
+  }
+
+  /** @param {{channel: string, missed: number}} lag */
   lag({ channel, missed }) {
-    this.#put({ note: `${missed} messages of channel ${channel} were missed: they came too fast`, kind: "lag" });
+    this.#note("lag", `${missed} messages of channel ${channel} were missed: they came too fast`);
   }
 
-  /** A warning of the machine that no bytes caused: between the bytes, at its time. */
-  warn({ tick, code, message }) {
-    this.#put({ note: `@${tick} ${code}: ${message}`, kind: "warning" });
+  /** A warning of the machine that no bytes caused: between the bytes, at its time. @param {Place & {code: string, message: string, joint?: string}} event */
+  warn({ epoch, tick, code, message, joint }) {
+    this.#put({ epoch, tick, joint, kind: "warning", note: `@${tick} ${code}: ${message}` });
   }
 
-  /** Shows only the bytes of one entry of `lines`; null: all. */
-  setSource(source) {
-    this.source = source;
-    const name = source && (source.line ? `line ${source.line}` : "device");
-    setText(this.sourceButton, name ? `${name} ✕` : "");
-    this.sourceButton.setAttribute("aria-label", name ? `Only ${name} is shown: show all lines` : "Show all lines");
-    this.sourceButton.hidden = !name;
-    this.onSource(source);
-    this.#refresh();
-  }
-
+  /** @param {boolean} isPaused */
   setPaused(isPaused) {
     this.isPaused = isPaused;
     if (isPaused) return;
@@ -100,107 +131,73 @@ export class WirePanel {
     this.#updateCount();
   }
 
-  /** Notes a reconnection; `isSurelyAnew`: the server's time shows that it has been restarted. */
+  /** Notes a reconnection; `isSurelyAnew`: the server's time shows that it has been restarted. @param {boolean} isSurelyAnew */
   reconnected(isSurelyAnew) {
     this.reconnection = { isSurelyAnew: isSurelyAnew || this.reconnection?.isSurelyAnew };
   }
 
   /**
-   * Takes the contents of the server's ring buffer; returns whether the server has been restarted.
+   * Takes the contents of the server's ring buffer; returns whether the server has been restarted. @param {LineMessage[]} messages
    */
   recall(messages) {
     const isAnew = this.reconnection !== null && (this.reconnection.isSurelyAnew || this.#isOfAnotherRun(messages));
     if (isAnew) this.#forget();
-    if (this.reconnection) this.#put({ note: isAnew ? kStartedAnew : kThereAgain, kind: "mark" });
+    if (this.reconnection) this.#note("mark", isAnew ? kStartedAnew : kThereAgain);
     this.reconnection = null;
     for (const message of messages) this.take(message);
+    this.isRecalled = true;
+    this.#updateCount();
     return isAnew;
   }
 
   // A server run has no id. But within a run, `seq` in the ring buffer never falls behind the last
   // one seen, and a message with a known `seq` never differs.
+  /** @param {LineMessage[]} messages */
   #isOfAnotherRun(messages) {
     const last = messages.at(-1)?.seq ?? 0;
     return last < this.lastSeq || messages.some((message) => this.seen.has(message.seq) && this.seen.get(message.seq) !== printOf(message));
   }
 
   #forget() {
+    /** @type {Map<number, string>} */
     this.seen = new Map();
     this.lastSeq = 0;
+    /** @type {Place} */
+    this.lastPlace = kBeforeAll;
+    for (const message of [...this.messages, ...this.waiting]) message.epoch = kBeforeAll.epoch;
   }
 
   clear() {
     this.messages = [];
     this.waiting = [];
-    this.list.replaceChildren();
-    this.fold.end();
-    this.#updateCount();
+    this.#refresh();
   }
 
+  /** @param {WireMessage} message */
   #add(message) {
     this.messages.push(message);
     if (this.messages.length > kMaxRows) this.messages.shift();
-    if (this.#matches(message)) this.#append(message);
+    if (this.filter.matches(message)) this.rows.append(message);
     this.#updateCount();
   }
 
-  #append(message) {
-    const { list } = this;
-    this.#place(message);
-    while (list.children.length > kMaxRows) list.firstChild.remove();
-    this.show();
-  }
-
-  /** Appends the row of a message, folded with those before it if it belongs to them. */
-  #place(message) {
-    if (message.note) {
-      this.fold.end();
-      this.list.append(this.#row(message));
-    } else this.fold.append(message, this.#row(message));
-  }
-
-  #matches(message) {
-    if (this.source && (message.note ? message.kind === "warning" : !isOf(this.source, message))) return false;
-    const wanted = this.filter.value.trim().toLowerCase();
-    return !wanted || transcriptLine(message).toLowerCase().includes(wanted);
-  }
-
-  #row(message) {
-    if (message.note) return el(`li.${message.kind}`, {}, message.note);
-    const row = el(`li.${message.dir}`, {},
-      el("span.tick", {}, String(message.tick)),
-      el("span.line", { title: `line ${message.line}` }, String(message.line)),
-      el("span.dir", { "aria-label": message.dir === "in" ? "in" : "out" }, message.dir === "in" ? "→" : "←"),
-      el("code", { title: message.hex }, message.text + (message.bytes > message.hex.length / 2 ? ` … ${message.bytes} bytes` : "")));
-    const parsed = el("span.parsed");
-    message.parsed.forEach((item, i) => {
-      if (i > 0) parsed.append(" · ");
-      parsed.append(el(isWarning(item.code) ? "span.warning" : isOfDevice(item.code) ? "span.device" : "span", {}, item.message));
-    });
-    row.append(parsed);
-    return row;
-  }
-
   #matching() {
-    return this.messages.filter((message) => this.#matches(message));
+    return this.messages.filter((message) => this.filter.matches(message));
   }
 
   #refresh() {
-    this.list.replaceChildren();
-    this.fold.end();
-    for (const message of this.#matching()) this.#place(message);
-    this.list.scrollTop = this.list.scrollHeight;
+    this.rows.show(this.#matching());
     this.#updateCount();
   }
 
   #updateCount() {
     const wait = this.waiting.length > 0 ? `, ${this.waiting.length} more wait` : "";
-    setText(this.count, this.#countText() + wait);
+    setText(byId("wire-count"), this.#countText() + wait);
+    this.empty.show(this.isRecalled && this.lastSeq === 0 && this.messages.length === 0);
   }
   #countText() {
-    const all = counted(this.messages.filter((message) => !message.note).length, "message");
-    if (this.messages.length === 0) return this.isPaused ? all : "No bytes yet: connect to the robot port, or send a command below.";
-    return this.filter.value.trim() || this.source ? `${this.list.querySelectorAll("li:not(.lag, .mark, .warning, .fold)").length} of ${all}` : all;
+    const all = counted(this.messages.filter((message) => !isNote(message)).length, "message");
+    return this.filter.isOn ? `${this.rows.count} of ${all}` : all;
   }
 
   transcript() {
@@ -213,8 +210,8 @@ export class WirePanel {
   /** Copies the shown messages; if the browser forbids it, selects them for the user to copy. */
   async copy() {
     const isCopied = await copyText(this.transcript());
-    if (!isCopied) getSelection().selectAllChildren(this.list);
-    setText(this.status, isCopied ? `Copied ${counted(this.#matching().length, "line")}.`
+    if (!isCopied) getSelection().selectAllChildren(byId("wire"));
+    setText(byId("wire-status"), isCopied ? `Copied ${counted(this.#matching().length, "line")}.`
       : "This browser does not let pages copy. The bytes are selected: press Ctrl-C.");
   }
 }

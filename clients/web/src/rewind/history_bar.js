@@ -1,3 +1,4 @@
+// @ts-check
 // The slider over the kept history, the borders of its epochs below it and the marks of its events above it.
 // Reports what the user wants to see; asks the server nothing.
 import { el, isSame, setText } from "../lib/dom.js";
@@ -5,24 +6,42 @@ import { rove } from "../lib/roving_focus.js";
 import { Axis, placeText } from "./axis.js";
 import { kKinds, marksOf } from "./event_marks.js";
 
+/** @typedef {{epoch: number, tick: number}} Place */
+/** @typedef {{key: string, epoch: number, tick: number, kind: import("./event_marks.js").Kind, at: number, title: string}} Mark */
+
 const kStep = 100; // ticks
 const kPage = 5000;
-const kWays = {
+const kWays = /** @type {Record<string, number>} */ ({
   ArrowLeft: -kStep, ArrowDown: -kStep, ArrowRight: kStep, ArrowUp: kStep, PageDown: -kPage, PageUp: kPage, Home: -Infinity, End: Infinity,
-};
+});
 const kMarkPx = 24; // what a finger hits
 const kLeastEpoch = 0.01; // of the width; shorter ones have no text
 
 export class HistoryBar {
   /**
-   * `slider`, `output`, `marks` and `epochs` are its elements. `onUse()` is called when the user takes the slider, `onLook(place)`
-   * for each place that the user goes to, and `onLive()` at the right end, which is the present.
+   * @param {{slider: HTMLInputElement, output: HTMLElement, marks: HTMLElement, epochs: HTMLElement, onUse: () => void,
+   *   onLook: (place: Place) => void, onLive: () => void}} parts its elements; `onUse` is called when the user takes the slider, `onLook`
+   *   for each place that the user goes to, and `onLive` at the right end, which is the present
    */
   constructor({ slider, output, marks, epochs, onUse, onLook, onLive }) {
-    Object.assign(this, { slider, output, marks, epochs, onUse, onLook, onLive });
+    this.slider = slider;
+    this.output = output;
+    this.marks = marks;
+    this.epochs = epochs;
+    this.onUse = onUse;
+    this.onLook = onLook;
+    this.onLive = onLive;
+    this.isHeld = false;
     this.axis = new Axis([]);
+    /** @type {import("./event_marks.js").Event[]} */
     this.events = [];
+    /** @type {{axis: Axis, events: import("./event_marks.js").Event[]} | null} */
+    this.next = null; // what the server told while the slider was held
+    /** @type {Place | null} */
     this.place = null;
+    /** @type {Mark[]} */
+    this.drawn = [];
+    /** @type {Map<string, HTMLButtonElement>} */
     this.buttons = new Map();
     this.#listen();
     new ResizeObserver(() => this.#drawMarks()).observe(marks);
@@ -52,14 +71,14 @@ export class HistoryBar {
 
   // --- From the server.
 
-  /** `history` is the value of the call `history`, or null. */
+  /** @param {{epochs: {epoch: number, from: number, to: number}[], events: import("./event_marks.js").Event[]} | null} history the value of the call `history` */
   setHistory(history) {
     this.next = { axis: new Axis(history?.epochs ?? []), events: history?.events ?? [] };
     this.slider.disabled = this.next.axis.parts.length === 0;
     this.#draw();
   }
 
-  /** The place that the user wants to see, or null for the present. */
+  /** @param {Place | null} place that the user wants to see; null: the present */
   setPlace(place) {
     this.place = place;
     this.#draw();
@@ -81,6 +100,7 @@ export class HistoryBar {
     if (isNew) this.#drawMarks();
   }
 
+  /** @param {Place | null} place */
   #describe(place) {
     const text = place ? placeText(place) : "Live";
     this.slider.setAttribute("aria-valuetext", place ? text : "the present");
@@ -96,8 +116,10 @@ export class HistoryBar {
 
   // A mark keeps its element, and so the focus, while the axis grows.
   #drawMarks() {
+    /** @type {Mark[]} */
     const marks = marksOf(this.events, this.axis, Math.floor(this.marks.clientWidth / kMarkPx));
     const before = this.buttons;
+    this.drawn = marks;
     this.buttons = new Map(marks.map((mark) => [mark.key, before.get(mark.key) ?? this.#button(mark)]));
     const buttons = [...this.buttons.values()];
     for (const [key, button] of before) if (this.buttons.get(key) !== button) button.remove();
@@ -110,9 +132,11 @@ export class HistoryBar {
     for (const button of buttons) button.tabIndex = button === reached ? 0 : -1;
   }
 
+  /** @param {Mark} mark @returns {HTMLButtonElement} */
   #button({ kind }) {
     return el("button.event-mark", { type: "button", tabIndex: -1, "data-kind": kind }, el("span", { "aria-hidden": "true" }, kKinds[kind].sign));
   }
+  /** @param {HTMLButtonElement} button @param {Mark} mark */
   #place(button, { at, title }) {
     button.style.left = `${at * 100}%`;
     button.title = title;
@@ -121,6 +145,16 @@ export class HistoryBar {
 
   // --- The user.
 
+  /** Looks at the first mark after the place that is shown, or at the last one before it. @param {1 | -1} way */
+  step(way) {
+    this.#drawMarks(); // the bar may have been opened just now
+    const from = (this.place && this.axis.at(this.place)) ?? this.axis.length;
+    const beyond = this.drawn.filter((mark) => (this.axis.at(mark) - from) * way > 0);
+    const mark = way > 0 ? beyond[0] : beyond.at(-1);
+    if (mark) this.onLook({ epoch: mark.epoch, tick: mark.tick });
+  }
+
+  /** @param {KeyboardEvent} event */
   #key(event) {
     const way = kWays[event.key];
     if (way === undefined || event.altKey || event.ctrlKey || event.metaKey) return;
@@ -129,6 +163,7 @@ export class HistoryBar {
   }
 
   // Dragged to the right end, it is the present only when the user lets it go there.
+  /** @param {number} x distance from the beginning of the axis, in ticks */
   #goTo(x) {
     this.slider.value = String(x);
     if (x >= this.axis.length && !this.isHeld) {

@@ -1,5 +1,5 @@
 // What this page asks the server about the past: the kept history, a look at a moment, the way back, and what
-// changes the cell: `seek`, `resume` and `branch`. At most one look is under way; the latest wish wins.
+// changes the cell: `seek` and `branch`. At most one look is under way; the latest wish wins.
 // Independent of the page.
 import { isSamePlace } from "./axis.js";
 
@@ -45,18 +45,19 @@ export class Past {
 
   // --- The history.
 
-  /** Asks for the history, unless it is being asked for; `isNews`: then it is asked for again. */
-  async refresh({ isNews = false } = {}) {
-    if (this.isAsking) {
-      this.isStale ||= isNews;
-      return;
-    }
-    this.isAsking = true;
+  /** Asks for the history, unless it is being asked for; `isNews`: then it is asked for again. Resolves when it is there. */
+  refresh({ isNews = false } = {}) {
+    if (this.asking) this.isStale ||= isNews;
+    else this.asking = this.#askUntilFresh();
+    return this.asking;
+  }
+
+  async #askUntilFresh() {
     do {
       this.isStale = false;
       await this.#askHistory();
     } while (this.isStale);
-    this.isAsking = false;
+    this.asking = null;
   }
 
   async #askHistory() {
@@ -117,10 +118,6 @@ export class Past {
     const done = await this.#ask("seek", { epoch, tick });
     if (done) await this.live();
     return done;
-  }
-
-  resume() {
-    return this.#ask("resume", {});
   }
 
   branch({ epoch, tick }) {

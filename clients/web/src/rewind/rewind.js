@@ -11,7 +11,7 @@ import { PastNotice } from "./past_notice.js";
 const kEveryMs = 2000; // while the bar is used
 const kIdleEveryMs = 20_000;
 const kHasRoom = matchMedia("(min-width: 1200px) and (min-height: 701px)");
-const kLooking = "You look at the past. Press Live, or Escape, to steer the robot.";
+const kLooking = "You look at the past. Press Back to now, or Escape, to steer the robot.";
 const kTakenBack = "The robot was taken back in time. Press Resume first.";
 const kLeadsOut = "[data-call=past]"; // controls that lead out of the past
 const kLeadsOutOrOn = `${kLeadsOut}, #pause`;
@@ -30,8 +30,7 @@ export class Rewind {
       onUse: () => this.past.refresh(), onLook: (place) => this.past.look(place), onLive: () => this.past.live(),
     });
     this.notice = new PastNotice({
-      live: () => this.past.live(), goOn: (place) => this.past.seek(place), branch: () => this.#branch(), resume: () => this.past.resume(),
-      forward: () => this.past.seek(this.bar.axis.endBefore()), open: () => this.#open(true),
+      goOn: (place) => this.past.seek(place), branch: () => this.#branch(), forward: () => this.past.seek(this.bar.axis.endBefore()), open: () => this.#open(true),
     });
     this.isBarOpen = recall("timebar", kHasRoom.matches);
     byId("rewind").setAttribute("aria-expanded", String(this.isBarOpen));
@@ -106,7 +105,7 @@ export class Rewind {
     this.bar.setPlace(this.past.goal);
     const { present } = this;
     const hasEnd = this.bar.axis.endBefore() !== null;
-    this.notice.show({ place, present, trouble: trouble && textOf(trouble), isOpen: this.isBarOpen, hasEnd });
+    this.notice.show({ place, isPast: present.isPast, trouble: trouble && textOf(trouble), isOpen: this.isBarOpen, hasEnd });
     byId("past").hidden = !(this.isBarOpen || place || present.isPast);
     this.lock.set("look", place ? kLooking : null, { except: kLeadsOut });
     this.lock.set("past", present.isPast ? kTakenBack : null, { except: kLeadsOutOrOn });
@@ -117,6 +116,13 @@ export class Rewind {
   async #branch() {
     const branch = await this.past.branch(this.past.place);
     if (branch) this.notice.showBranch(branch);
+  }
+
+  /** Looks at the next mark, or at the one before (`way` 1 or -1), and opens the bar. */
+  async toMark(way) {
+    if (!this.isBarOpen) this.#open(true);
+    if (!this.past.isWithout) await this.past.refresh();
+    this.bar.step(way);
   }
 
   #key(event) {

@@ -1,13 +1,12 @@
 // @ts-check
 // Three things to try, for the first visit: each is one click, and says what happened. Help shows them again.
 import { byId, el } from "../lib/dom.js";
+import { firstMove } from "../lib/first_move.js";
 import { recall, remember } from "../lib/memory.js";
-import { unitOf } from "../lib/motors.js";
 import { addressOf } from "../lib/program_address.js";
 
 /** @typedef {{title: string, what: string, button?: string, act?: () => Promise<string>}} Step `act` resolves to what happened */
 
-const kCounts = 50;
 const kPhone = matchMedia("(max-width: 899px)");
 
 export class FirstSteps {
@@ -58,12 +57,10 @@ export class FirstSteps {
   /** @param {number | null} port @returns {Step[]} */
   #steps(port) {
     const { robot, workcell } = this.model;
-    const joint = /** @type {any} */ (robot.joints[Math.min(1, robot.joints.length - 1)]);
-    const amount = unitOf(joint) === "mm" ? `${(kCounts * joint.precision).toFixed(1)} mm` : `${(kCounts * joint.precision).toFixed(1)}°`;
-    const command = `${joint.label}+${kCounts}`;
+    const first = firstMove(robot);
     const move = async () => {
-      await this.send(`${command}\r`);
-      return `Done: the page sent ${command}. ${kCounts} counts moved the ${joint.name} by ${amount}. See it in Wire.`;
+      await this.send(`${first.command}\r`);
+      return `Done: the page sent ${first.command}. ${first.counts} counts moved the ${first.name} by ${first.amount}. See it in Wire.`;
     };
     const [block] = workcell.blocks;
     const grasp = async () => {
@@ -71,7 +68,7 @@ export class FirstSteps {
       return `The arm goes over ${block.name}, closes its jaws and lifts it. Each move is in Wire.`;
     };
     return [
-      { title: `Move the ${joint.name}`, what: `The page sends ${command}: ${kCounts} counts, ${amount}.`, button: "Move", act: move },
+      ...(first ? [{ title: `Move the ${first.name}`, what: `The page sends ${first.command}: ${first.counts} counts, ${first.amount}.`, button: "Move", act: move }] : []),
       ...(block ? [{ title: `Pick up the block ${block.name}`, what: "It takes some seconds. A click on any block does the same.", button: "Pick", act: grasp }] : []),
       { title: "Connect a program", what: `Programs connect to ${addressOf(port)}. In a terminal: xr3 term. In Python: import xr3; robot = xr3.connect()` },
     ];
