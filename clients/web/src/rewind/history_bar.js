@@ -93,8 +93,8 @@ export class HistoryBar {
     const isNew = next && !isSame({ axis: this.axis, events: this.events }, next);
     if (isNew) Object.assign(this, next);
     const { axis, slider, place } = this;
-    slider.max = String(axis.length);
-    slider.value = String((place && axis.at(place)) ?? axis.length);
+    slider.max = String(axis.length || 1); // without a history, the present is at the right end, too
+    slider.value = String((place && axis.at(place)) ?? slider.max);
     this.#describe(place);
     if (isNew) this.#drawEpochs();
     if (isNew) this.#drawMarks();
