@@ -12,7 +12,7 @@ namespace {
 
 std::string workcell_name(const ModelFiles& files) {
   if (!files.workcell.empty()) return files.workcell;
-  std::string name = std::filesystem::path(files.robot).stem();
+  const std::string name = std::filesystem::path(files.robot).stem();
   return has_data_file(name, "workcells") ? name : kNoWorkcell;
 }
 
