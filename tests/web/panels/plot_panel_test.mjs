@@ -82,7 +82,7 @@ test("stall, grasp and epochs are marked; the file has what is kept", () =>
     await type(server.robot, "A+100\r");
     await step(server, 2000);
     await call(server.monitor, "reset");
-    await type(server.robot, "F+60\r"); // still moves after 300 ticks, so that a state comes
+    await type(server.robot, "F+10\r");
     await step(server, 300);
     await page.click("#tab-plots");
     await page.waitForFunction(() => window.xr3.known.state.epoch === 1 && window.xr3.known.state.tick === 300);
@@ -146,10 +146,12 @@ test("the path of the tip from above has a dot at the present, or at the sample 
   withPage(["--clock", "manual"], async (page, server) => {
     await page.click("#tab-plots");
     await move(page, server);
-    await page.waitForFunction(() => document.querySelectorAll("#plot-path path[stroke-linejoin]").length === 1 && window.xr3.plots.points.length > 5);
-    const [now, tip] = [await dotOf(page), (await server.state()).tool.xyz_mm];
-    const { path } = await page.evaluate(() => window.xr3.plots.tipPath);
-    assert.ok(Math.abs(path.dot[0] - tip[0]) < 0.01 && Math.abs(path.dot[1] - tip[1]) < 0.01, String(path.dot));
+    const tip = (await server.state()).tool.xyz_mm;
+    await page.waitForFunction(([x, y]) => {
+      const { dot, points } = window.xr3.plots.tipPath.path;
+      return points.length > 5 && Math.abs(dot[0] - x) < 0.01 && Math.abs(dot[1] - y) < 0.01;
+    }, tip);
+    const now = await dotOf(page);
     await page.focus("#plot-tip");
     await page.keyboard.press("Home");
     const first = await dotOf(page);
