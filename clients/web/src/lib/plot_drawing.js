@@ -76,7 +76,8 @@ const upwards = (scale, length) => (/** @type {number} */ value) => length - acr
 /** The box inside the room for numbers; there is more on the right for a second scale. @param {Box} box @param {boolean} isTwofold @returns {Box} */
 export function insideOf({ left, top, width, height }, isTwofold = false) {
   const right = isTwofold ? kRoom.left : kRoom.right;
-  return { left: left + kRoom.left, top: top + kRoom.top, width: Math.max(width - kRoom.left - right, 1), height: Math.max(height - kRoom.top - kRoom.bottom, 1) };
+  const [wide, high] = [width - kRoom.left - right, height - kRoom.top - kRoom.bottom];
+  return { left: left + kRoom.left, top: top + kRoom.top, width: Math.max(wide, 1), height: Math.max(high, 1) };
 }
 
 /** A plot with its axes in a box. @param {Plot} plot @param {Box} box @param {Colors} colors */

@@ -179,7 +179,8 @@ export class PlotHistory {
 
   /** @param {number} part @param {number[]} row */
   #isThird(part, row) {
-    return [this.length - 1, this.length - 2].every((sample) => sample >= this.first && this.parts[this.#at(sample)] === part && this.#isEqual(sample, row));
+    const isSame = (/** @type {number} */ sample) => sample >= this.first && this.parts[this.#at(sample)] === part && this.#isEqual(sample, row);
+    return isSame(this.length - 1) && isSame(this.length - 2);
   }
 
   /** @param {number} sample @param {number[]} row */

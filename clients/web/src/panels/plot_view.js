@@ -112,7 +112,8 @@ export class PlotView {
   /** @param {Series} series @returns {uPlot.Series} */
   #line(series) {
     const { name, scale, index, isShown = true } = series;
-    return { label: name, scale, show: isShown, stroke: color(seriesColor(index)), width: 1.5, dash: isDashed(series) ? kDash : undefined, points: { show: false } };
+    const dash = isDashed(series) ? kDash : undefined;
+    return { label: name, scale, show: isShown, stroke: color(seriesColor(index)), width: 1.5, dash, points: { show: false } };
   }
 
   /** @returns {uPlot.Axis} */

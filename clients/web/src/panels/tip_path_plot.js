@@ -37,7 +37,10 @@ export class TipPathPlot {
     this.host.innerHTML = drawPlot(tipPathPlot(this.path, box, colorOf("--accent")), box, colors);
   }
 
-  /** What is drawn, for a file. @param {string} title @param {Box} box @param {(name: string) => string} colorOf @returns {import("../lib/plot_svg.js").FilePlot} */
+  /**
+   * What is drawn, for a file.
+   * @param {string} title @param {Box} box @param {(name: string) => string} colorOf @returns {import("../lib/plot_svg.js").FilePlot}
+   */
   figure(title, box, colorOf) {
     return { ...tipPathPlot(this.path, box, colorOf("--accent")), title, height: box.height, legend: [] };
   }
