@@ -1,7 +1,7 @@
 """The cost of an overview of many cells for the server: prints the processor time of the same robots that move, without and
 with a subscriber of the channel `overview`. Usage: soak_overview.py [CELLS [MOVING]]; MOVING (a tenth) robots move at
 any time. The environment has XR3, a release executable. Exit code 1 if the overview takes more than 5 % of a core.
-tests/web/panels/overview_cost.mjs measures the page."""
+tests/web/overview/overview_cost.mjs measures the page."""
 
 import resource
 import statistics

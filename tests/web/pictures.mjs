@@ -3,7 +3,7 @@
 // executable.
 import { connect } from "node:net";
 import { close, closeFirstSteps, open, ready, serve, type } from "./bench.mjs";
-import { ask } from "./panels/class.mjs";
+import { ask } from "./overview/class.mjs";
 
 const [docs, frames] = process.argv.slice(2);
 const kSize = { width: 1280, height: 720 };

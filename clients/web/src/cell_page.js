@@ -36,20 +36,20 @@ import { PaperView } from "./panels/paper_view.js";
 import { PastFrames } from "./rewind/past_frames.js";
 import { isSooner } from "./rewind/axis.js";
 import { isOverview } from "./lib/place.js";
-import { pastStates } from "./lib/past_states.js";
+import { pastStates } from "./plots/past_states.js";
 import { textOf } from "./lib/refusal.js";
-import { PlotPanel } from "./panels/plot_panel.js";
+import { PlotPanel } from "./plots/plot_panel.js";
 import { Rewind } from "./rewind/rewind.js";
 import { Scene } from "./scene/scene.js";
 import { StageTools } from "./stage/stage_tools.js";
-import { TeachPanel } from "./panels/teach_panel.js";
+import { TeachPanel } from "./teach/teach_panel.js";
 import { onTheme } from "./lib/theme.js";
 import { TimeBar } from "./panels/time_bar.js";
 import { TipDrag } from "./stage/tip_drag.js";
 import { ToolPanel } from "./inspector/tool_panel.js";
-import { WirePanel } from "./panels/wire_panel.js";
-import { transcriptLine } from "./lib/wire_text.js";
-import { WorkcellPanel } from "./panels/workcell_panel.js";
+import { WirePanel } from "./wire/wire_panel.js";
+import { transcriptLine } from "./wire/wire_text.js";
+import { WorkcellPanel } from "./workcell/workcell_panel.js";
 
 const known = {}; // the newest hello, model, state and display, the arrival time of the state, and the state of the past that is shown
 

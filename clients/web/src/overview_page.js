@@ -7,7 +7,7 @@ import { Messages } from "./panels/messages.js";
 import { ControlLock } from "./panels/control_lock.js";
 import { byId, el, setText } from "./lib/dom.js";
 import { isOverview } from "./lib/place.js";
-import { OverviewPanel } from "./panels/overview_panel.js";
+import { OverviewPanel } from "./overview/overview_panel.js";
 import { textOf } from "./lib/refusal.js";
 import { onTheme } from "./lib/theme.js";
 
