@@ -112,9 +112,9 @@ class Documentation::Site {
     if (SiteFilePtr file = sending.lock()) return file;
     std::string text = read_file(place).text;
     std::string policy = policy_of(text);
-    const auto file = std::make_shared<const SiteFile>(std::move(text), std::move(policy));
-    sending = file;
-    return file;
+    SiteFilePtr made = std::make_shared<const SiteFile>(std::move(text), std::move(policy));
+    sending = made;
+    return made;
   }
 
   std::map<fs::path, std::weak_ptr<const SiteFile>> sending_;

@@ -118,7 +118,7 @@ Made make(const recording::Header& header, const HistoryPart& part, const Replay
 
 // --- States of the past, made in the worker.
 
-struct Traced {
+struct Traced {  // NOLINT(bugprone-exception-escape): to move a Json does not throw
   Json value;
   ReplayTime end;
   std::optional<Difference> difference;
