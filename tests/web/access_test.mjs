@@ -100,3 +100,13 @@ test("a locked file input is invisible and its label is drawn as locked", () =>
     assert.equal(await style("#workcell-load", "opacity"), "0");
     assert.equal(await style("#workcell-panel .file", "borderTopStyle"), "dashed");
   }));
+
+test("without the token an empty wire offers nothing to send", () =>
+  withLocked(async (page) => {
+    await ready(page);
+    await looksOn(page);
+    await page.waitForSelector("#wire-empty:visible");
+    assert.ok(await page.isHidden("#wire-first"));
+    await unlock(page);
+    await page.waitForSelector("#wire-first:visible:enabled");
+  }));

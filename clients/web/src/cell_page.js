@@ -411,7 +411,7 @@ function showStatus() {
   status.show(statusOf({
     connection: byId("status").dataset.connection, state, place, contest: known.contest ?? null, hz: hello?.tick_hz ?? 1000,
     retryS: connection.retryInS, heardS: (performance.now() - (connection.heardAt ?? 0)) / 1000,
-  }), { mayCall: access.mayCall });
+  }), { mayAct: access.mayCall });
   showMoment(place);
 }
 

@@ -27,6 +27,9 @@ test("each status that stops the robot has one sentence and one action", () => {
     [situation({}, { stalled: "work_surface" }), "stalled", "The arm is stalled: the tip went below the table. It moves again after Home.", "Home"],
     [situation({}, { enabled: false }), "disabled", "The simulator is switched off. It ignores the lines until you switch it on.", "Switch on"],
     [situation({ place: { epoch: 0, tick: 212_000 } }), "past", "You see 3:32, 41 s ago. The robot goes on meanwhile.", "Back to now"],
+    [situation({ place: { epoch: 0, tick: 212_000 } }, { clock: { mode: "manual" } }), "past", "You see 3:32, 41 s ago. The robot’s time stands still.", "Back to now"],
+    [situation({ place: { epoch: 0, tick: 212_000 } }, { clock: { mode: "manual", past: true } }), "past",
+      "You see 3:32, 41 s ago. The robot stays where it was taken back to.", "Back to now"],
     [situation({}, { clock: { mode: "manual", past: true } }), "past", "The robot was taken back to 4:13; programs wait. Resume drops what came after.", "Resume"],
     [situation({ connection: "lost", retryS: 2.3, heardS: 12 }), "lost", "No connection to the robot. Trying again in 3 s; what you see is 12 s old.", "Try now"],
   ];

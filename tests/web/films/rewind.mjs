@@ -51,7 +51,7 @@ await pause(900);
 await page.click("#ask-seek button[value=ok]");
 await page.waitForSelector("#past-notice[data-kind=past]");
 await pause(1200);
-await page.click("#past-resume");
+await page.click("#banner-act");
 await page.waitForSelector("#past-notice[data-kind=hint]", { state: "attached" });
 // Around the base, down by 100 mm, open, up.
 for (const move of ["F+127\r", "F+127\r", "E+104\rD-93\r", "E+103\rD-92\r", "A-39\r", "E-120\rD+90\r"]) {

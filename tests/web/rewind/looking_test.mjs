@@ -8,7 +8,9 @@ after(close);
 
 const count = "#joints [data-label=F] .count";
 const shows = (page, text) => page.waitForFunction(([selector, wanted]) => document.querySelector(selector).textContent === wanted, [count, String(text)]);
-const looksAt = (page, text) => page.waitForFunction((wanted) => document.querySelector("#past-at").textContent === wanted, text);
+/** Waits until the page shows a moment: "0:05.000, epoch 1". */
+const looksAt = (page, text) => page.waitForFunction((wanted) => window.xr3.known.past && document.querySelector("#past-place").textContent === wanted &&
+  document.querySelector("#banner-what").textContent === `You see ${wanted.split(".")[0]},`, text);
 const isLive = (page) => page.waitForFunction(() => document.querySelector("#past-notice").dataset.kind === "hint" && !window.xr3.known.past);
 const slider = "#past-slider";
 /** Puts the slider to a part of its width by the pointer: presses there, and releases it unless told otherwise. */
@@ -23,8 +25,8 @@ test("keys move by 0.1 s and 5 s and to the ends; the page shows each moment, an
   withPast(["--clock", "manual"], async (page, played) => {
     await page.focus(slider);
     assert.equal(await page.getAttribute(slider, "aria-valuetext"), "the present");
-    const steps = [["PageDown", "0:05.000 of epoch 1.", 5000], ["ArrowLeft", "0:04.900 of epoch 1.", 4900], ["ArrowRight", "0:05.000 of epoch 1.", 5000],
-      ["PageDown", "0:00.000 of epoch 1.", 0], ["PageDown", "0:25.000 of epoch 0.", 25_000], ["ArrowUp", "0:25.100 of epoch 0.", 25_100], ["Home", "0:00.000 of epoch 0.", 0]];
+    const steps = [["PageDown", "0:05.000, epoch 1", 5000], ["ArrowLeft", "0:04.900, epoch 1", 4900], ["ArrowRight", "0:05.000, epoch 1", 5000],
+      ["PageDown", "0:00.000, epoch 1", 0], ["PageDown", "0:25.000, epoch 0", 25_000], ["ArrowUp", "0:25.100, epoch 0", 25_100], ["Home", "0:00.000, epoch 0", 0]];
     for (const [key, text, tick] of steps) {
       await page.keyboard.press(key);
       await looksAt(page, text);
@@ -37,7 +39,7 @@ test("keys move by 0.1 s and 5 s and to the ends; the page shows each moment, an
     await shows(page, 0);
     assert.equal(played.asked("live").length, 1);
     await page.keyboard.press("Home");
-    await looksAt(page, "0:00.000 of epoch 0.");
+    await looksAt(page, "0:00.000, epoch 0");
     await page.keyboard.press("End");
     await isLive(page);
     assert.equal(await page.inputValue(slider), "40000");
@@ -70,7 +72,7 @@ test("dragged to the right end and let go, it is the present again", () =>
     await page.waitForSelector("#past-notice[data-kind=look]");
     const { x, y, width, height } = await page.locator(slider).boundingBox();
     await page.mouse.move(x + width + 20, y + height / 2, { steps: 3 });
-    await page.waitForFunction(() => document.querySelector("#past-at").textContent.startsWith("0:10.000 of epoch 1"));
+    await looksAt(page, "0:10.000, epoch 1");
     await page.mouse.up();
     await isLive(page);
   }));
@@ -87,11 +89,59 @@ test("marks tell their kind by a sign and a title; a click or an arrow key looks
     const [mark, bar] = [await page.locator(".event-mark").nth(1).boundingBox(), await page.locator(slider).boundingBox()];
     assert.ok(Math.abs(middle(mark) - (bar.x + 8 + (9 / 40) * (bar.width - 16))) < 1.5, "a mark stands where the slider's thumb would");
     await page.click(".event-mark[data-kind=stall]");
-    await looksAt(page, "0:09.000 of epoch 0.");
+    await looksAt(page, "0:09.000, epoch 0");
     assert.equal(await page.inputValue(slider), "9000");
     await page.keyboard.press("ArrowRight");
-    await looksAt(page, "0:05.000 of epoch 1.");
+    await looksAt(page, "0:05.000, epoch 1");
     assert.equal(await page.locator(".event-mark[tabindex='0']").count(), 1);
+  }));
+
+test("N looks at the next mark and Shift N at the one before; they open the bar", () =>
+  withPast(["--clock", "manual"], async (page) => {
+    await page.click("#rewind");
+    await page.waitForSelector("#past", { state: "hidden" });
+    for (const [key, text] of [["Shift+N", "0:05.000, epoch 1"], ["Shift+N", "0:09.000, epoch 0"], ["Shift+N", "0:01.000, epoch 0"], ["n", "0:09.000, epoch 0"]]) {
+      await page.keyboard.press(key);
+      await looksAt(page, text);
+    }
+    assert.ok(await page.isVisible("#past-slider"));
+    await page.keyboard.press("PageUp"); // between two marks
+    await looksAt(page, "0:14.000, epoch 0");
+    for (const key of ["n", "n"]) { // there is none after it
+      await page.keyboard.press(key);
+      await looksAt(page, "0:05.000, epoch 1");
+    }
+    await page.click("#help-button");
+    assert.match(await page.innerText("#help-keys"), /Marks of the time bar\s+✕\s+stall\s+!\s+warning/);
+  }));
+
+test("in the past the wire shows what was sent until then, folded, and in the present what came meanwhile", () =>
+  withPast(["--clock", "manual"], async (page, played, server) => {
+    const rows = () => page.locator("#wire li:visible").allTextContents();
+    const counts = (text) => page.waitForFunction((wanted) => document.querySelector("#wire-count").textContent === wanted, text);
+    for (let i = 0; i < 3; ++i) await page.evaluate(() => window.xr3.call("send", { text: "E?" }));
+    await page.evaluate(() => window.xr3.step(6000));
+    await page.evaluate(() => window.xr3.call("send", { text: "E+5\r" }));
+    await counts("7 messages");
+    await page.focus(slider);
+    for (const key of ["Home", "PageUp"]) await page.keyboard.press(key);
+    await looksAt(page, "0:05.000, epoch 0");
+    await counts("6 of 7 messages");
+    assert.equal(await page.textContent("#wire-moment"), "As it was at 0:05.000");
+    assert.match(String(await rows()), /^0\d+→E\? ×3[^,]*$/);
+    await type(server.robot, "F+5\r");
+    await counts("6 of 8 messages");
+    assert.equal((await rows()).length, 1);
+    assert.ok(await page.isHidden("#wire-newer"));
+    await page.keyboard.press("PageUp");
+    await looksAt(page, "0:10.000, epoch 0");
+    await counts("8 of 8 messages");
+    await page.keyboard.press("PageDown");
+    await counts("6 of 8 messages");
+    await page.keyboard.press("Escape");
+    await counts("8 messages");
+    assert.ok(await page.isHidden("#wire-moment"));
+    assert.equal((await rows()).length, 3);
   }));
 
 test("many events have few marks, and a mark keeps the focus while the history grows", () =>
@@ -124,8 +174,8 @@ test("while the page shows the past, nothing that changes the robot can be press
     await page.keyboard.press("h");
     await page.waitForSelector("#message:has-text('You look at the past')");
     await page.click("#old-close");
-    for (const each of ["#past-live", "#past-seek", "#past-branch"]) assert.equal(await page.isEnabled(each), true, each);
-    await page.click("#past-live");
+    for (const each of ["#banner-act", "#past-seek", "#past-branch"]) assert.equal(await page.isEnabled(each), true, each);
+    await page.click("#banner-act");
     await page.waitForSelector("#home:enabled");
     for (const each of controls) assert.equal(await page.locator(each).isDisabled(), false, each);
     assert.deepEqual((await titles()).map((title) => title ?? ""), before.map((title) => title ?? ""));
@@ -166,7 +216,7 @@ test("the path of the tool, the named view and the size of the picture stay as t
     const [before, drawn] = [await eye(), await pieces()];
     await page.focus(slider);
     for (const key of ["PageDown", "Home", "PageUp"]) await page.keyboard.press(key);
-    await looksAt(page, "0:05.000 of epoch 0.");
+    await looksAt(page, "0:05.000, epoch 0");
     await page.waitForFunction((from) => Math.abs(window.xr3.tipDrawn()[1] - from) > 5, await page.evaluate(() => window.xr3.known.state.tool.xyz_mm[1]));
     await page.keyboard.press("Escape");
     await isLive(page);
@@ -239,7 +289,7 @@ test("the wire frames of the past leave no path", () =>
     await page.waitForFunction(() => window.xr3.known.display?.erase === false);
     const frames = () => page.evaluate(() => window.xr3.paper.frames.length);
     await page.focus(slider);
-    for (const [key, text] of [["Home", "0:00.000 of epoch 0."], ["PageUp", "0:05.000 of epoch 0."], ["PageUp", "0:10.000 of epoch 0."]]) {
+    for (const [key, text] of [["Home", "0:00.000, epoch 0"], ["PageUp", "0:05.000, epoch 0"], ["PageUp", "0:10.000, epoch 0"]]) {
       await page.keyboard.press(key);
       await looksAt(page, text);
       assert.equal(await frames(), 1);
@@ -254,7 +304,7 @@ test("a lost connection ends the look", () =>
   withPast(["--clock", "manual"], async (page, played) => {
     await page.focus(slider);
     await page.keyboard.press("Home");
-    await looksAt(page, "0:00.000 of epoch 0.");
+    await looksAt(page, "0:00.000, epoch 0");
     played.cut();
     await page.waitForFunction((before) => document.querySelector("#status").dataset.connection === "open" && !document.querySelector("#home").disabled, null);
     await isLive(page);
@@ -278,7 +328,7 @@ for (const [colorScheme, viewport] of [["dark", { width: 1280, height: 720 }], [
       await check("live");
       await page.focus(slider);
       await page.keyboard.press("PageDown");
-      await page.waitForSelector("#past-live:visible");
+      await page.waitForSelector("#past-seek:visible");
       await check("past");
       if (process.env.XR3_SCREENSHOTS) await page.screenshot({ path: `${process.env.XR3_SCREENSHOTS}/time-bar-${viewport.width}.png` });
     }, { colorScheme, viewport }));

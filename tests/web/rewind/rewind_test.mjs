@@ -66,7 +66,7 @@ test("a grasped block and a stall have marks, and a click looks there", () =>
     await page.click(".event-mark[data-kind=stall]");
     await kind(page, "look");
     await page.waitForFunction(() => window.xr3.known.past?.stalled);
-    await page.click("#past-live");
+    await page.click("#banner-act");
     await kind(page, "hint");
   }, { picture: false }));
 
@@ -89,7 +89,7 @@ test("continue from here takes the robot back; Resume goes on from there, to the
     await page.click("#past-seek");
     await page.click("#ask-seek button[value=ok]");
     await kind(page, "past");
-    await page.click("#past-resume");
+    await page.click("#banner-act");
     await kind(page, "hint");
     await page.waitForFunction(() => window.xr3.known.state.clock.past === undefined);
     await type(server.robot, "F+5\r");
@@ -146,6 +146,6 @@ test("without a history the bar says how to get one", () =>
   withPage(["--history", "0"], async (page) => {
     await openTimeBar(page);
     await kind(page, "trouble");
-    assert.match(await page.textContent("#past-what"), /keeps no history.*--history 1h/);
+    assert.match(await page.textContent("#past-trouble"), /keeps no history.*--history 1h/);
     assert.equal(await page.isDisabled(slider), true);
   }, { picture: false }));

@@ -110,3 +110,105 @@ test("polling is one row with its first and last answer, and a click unfolds it"
     assert.match(await page.evaluate(() => window.xr3.transcript()), /(E\?[^]*){4}/, "what is copied is not folded");
     socket.destroy();
   }, { picture: false }));
+
+const codes = (page) => page.locator("#wire li:not(.kid) code:visible").allTextContents();
+
+test("problems, one joint, one line and a text are left out or in together, and the folded polling with them", () =>
+  withPage(["--clock", "manual"], async (page, server) => {
+    await type(server.robot, "E+50\r");
+    await type(server.robot, "F+20\rZ");
+    await type(server.robot, "E?");
+    const socket = connect(server.robot, "127.0.0.1");
+    for (const text of ["E?", "E?", "E?"]) {
+      socket.write(text);
+      await once(socket, "data");
+    }
+    await type(server.robot, "E+500\r");
+    await says(page, /^11 messages$/);
+    assert.deepEqual(await codes(page), ["E+50\\r", "F+20\\rZ", "E?", "R", "E? ×3", "E+500\\r"]);
+    await page.selectOption("#wire-joint", "E");
+    assert.deepEqual(await codes(page), ["E+50\\r", "E?", "R", "E? ×3", "E+500\\r"]);
+    await says(page, /^10 of 11 messages$/);
+    await page.click("#wire-problems");
+    assert.deepEqual(await codes(page), ["E+500\\r"]);
+    await page.selectOption("#wire-joint", "");
+    assert.deepEqual(await codes(page), ["F+20\\rZ", "E+500\\r"]);
+    await page.fill("#wire-filter", "ignored");
+    assert.deepEqual(await codes(page), ["E+500\\r"]);
+    await page.fill("#wire-filter", "");
+    await page.click("#wire li:has-text('F+20') .line");
+    assert.equal(await page.textContent("#wire-source"), "line 2 ✕");
+    assert.deepEqual(await codes(page), ["F+20\\rZ"]);
+    await page.click("#wire-problems");
+    await page.click("#wire-source");
+    await says(page, /^11 messages$/);
+    socket.destroy();
+  }, { picture: false }));
+
+test("the motors of the robot can be chosen", () =>
+  withPage(["--clock", "manual"], async (page) => {
+    assert.deepEqual(await page.locator("#wire-joint option").allTextContents(),
+      ["All joints", "F base", "E shoulder", "D elbow", "C tool pitch", "B tool roll", "A tool"]);
+  }, { picture: false }));
+
+test("the tools are one row at 1440 px, with all that they can say", () =>
+  withPage(["--clock", "manual"], async (page, server) => {
+    await type(server.robot, "E+500\r");
+    await page.click("#wire .line");
+    await page.click("#wire-pause");
+    await type(server.robot, "E?");
+    await page.click("#wire-copy");
+    await page.waitForSelector("#wire-status:has-text('Copied')");
+    await says(page, /^1 of 1 message, 2 more wait$/);
+    const tops = await page.$$eval("#wire-panel .strip > :not(.grow)", (all) => all.filter((each) => each.checkVisibility()).map((each) => {
+      const { top, height } = each.getBoundingClientRect();
+      return Math.round(top + height / 2);
+    }));
+    assert.ok(Math.max(...tops) - Math.min(...tops) <= 1, String(tops));
+  }, { picture: false, viewport: { width: 1440, height: 900 } }));
+
+test("scrolled up, a button counts what is newer and leads back, also after another tab", () =>
+  withPage(["--clock", "manual"], async (page, server) => {
+    const isAtEnd = () => page.waitForFunction(() => {
+      const list = document.querySelector("#wire");
+      return list.scrollHeight - list.scrollTop - list.clientHeight < 40;
+    });
+    const newer = page.locator("#wire-newer");
+    await type(server.robot, "I".repeat(40));
+    for (let i = 0; i < 12; ++i) await type(server.robot, "I");
+    await says(page, /^26 messages$/);
+    await isAtEnd();
+    assert.ok(await newer.isHidden());
+    await page.$eval("#wire", (list) => {
+      list.scrollTop = 0;
+      return new Promise((done) => list.addEventListener("scroll", done, { once: true }));
+    });
+    await type(server.robot, "I");
+    await page.waitForSelector("#wire-newer:has-text('2 newer')");
+    await page.click("#tab-plots");
+    await type(server.robot, "I");
+    await page.click("#tab-wire");
+    await page.waitForSelector("#wire-newer:visible:has-text('4 newer')");
+    assert.equal(await page.$eval("#wire", (list) => list.scrollTop), 0);
+    await newer.click();
+    await isAtEnd();
+    assert.ok(await newer.isHidden());
+    await type(server.robot, "I");
+    await says(page, /^32 messages$/);
+    await isAtEnd();
+    assert.ok(await newer.isHidden());
+  }, { picture: false }));
+
+test("an empty wire says what it is for, and its button sends a first move", () =>
+  withPage(["--clock", "manual"], async (page, server) => {
+    const empty = page.locator("#wire-empty");
+    await empty.waitFor();
+    assert.equal(await empty.locator("p").textContent(), "Here you see every byte between programs and the robot. Nothing was sent yet.");
+    assert.equal(await page.textContent("#wire-first"), "Send E+50 (the shoulder moves 5.7°)");
+    await page.click("#wire-first");
+    await page.waitForSelector("#wire li.in:has-text('move E +50')");
+    assert.ok(await empty.isHidden());
+    assert.equal((await server.state()).joints[1].error, 50);
+    await page.click("#wire-clear");
+    assert.ok(await empty.isHidden(), "something was sent");
+  }, { picture: false }));

@@ -5,8 +5,6 @@ import { byId, setText } from "../lib/dom.js";
 
 /** @typedef {import("./status.js").Status} Status */
 
-const kOfThePage = new Set(["retry", "live", "contest"]); // actions that need no right: they leave the robot as it is
-
 export class StatusView {
   /** @param {(act: string) => void} onAct does what the banner's button says */
   constructor(onAct) {
@@ -17,11 +15,11 @@ export class StatusView {
     this.status = { kind: "lost", word: "" };
   }
 
-  /** @param {Status} status @param {{mayCall: boolean}} rights whether the page may change the robot */
-  show(status, { mayCall }) {
+  /** @param {Status} status @param {{mayAct: boolean}} rights whether the button may be pressed */
+  show(status, { mayAct }) {
     const isNew = status.kind !== this.status.kind || status.word !== this.status.word;
     this.status = status;
-    this.#showBanner(status, mayCall);
+    this.#showBanner(status, mayAct);
     if (!isNew) return;
     showChip(this.chip, status);
     document.body.dataset.mood = status.what ? status.kind : "";
@@ -29,15 +27,15 @@ export class StatusView {
     else setText(byId("say"), "");
   }
 
-  /** @param {Status} status @param {boolean} mayCall */
-  #showBanner({ kind, what, rest, action }, mayCall) {
+  /** @param {Status} status @param {boolean} mayAct */
+  #showBanner({ kind, what, rest, action }, mayAct) {
     this.banner.hidden = !what;
     if (!what) return;
     this.banner.dataset.kind = kind;
     this.banner.querySelector("use").setAttribute("href", iconOf(kind));
     setText(byId("banner-what"), what);
     setText(byId("banner-rest"), rest ?? "");
-    byId("banner-act").hidden = !action || !(mayCall || kOfThePage.has(action.act));
+    byId("banner-act").hidden = !action || !mayAct;
     setText(byId("banner-act"), action?.name ?? "");
   }
 }
