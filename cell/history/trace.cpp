@@ -18,13 +18,12 @@ bool is_same_but_time(Snapshot a, const Snapshot& b) {
 /// Takes the states, and leaves out those between two equal ones.
 class Sampler {
  public:
-  Sampler(std::vector<Snapshot>& states, const TraceSpan& span, Epoch epoch)
-      : states_(states), span_(span), epoch_(epoch) {}
+  Sampler(std::vector<Snapshot>& states, const TraceSpan& span) : states_(states), span_(span) {}
 
   void take(const Cell& cell) {
     const Tick tick = cell.state().tick;
     const bool is_new = states_.empty() || tick > states_.back().state.tick;
-    if (cell.epoch() == epoch_ && tick >= span_.from && tick <= span_.to && is_new)
+    if (cell.epoch() == span_.epoch && tick >= span_.from && tick <= span_.to && is_new)
       add(cell.snapshot());
   }
 
@@ -47,21 +46,20 @@ class Sampler {
 
   std::vector<Snapshot>& states_;
   TraceSpan span_;
-  Epoch epoch_;
 };
 
 }  // namespace
 
 PastTrace trace_past(const recording::Header& header, const HistoryPart& part,
                      const TraceSpan& span) {
-  assert(span.every > 0 && part.from().tick <= span.from && span.from <= span.to);
+  assert(span.every > 0 && span.from <= span.to);
+  assert(!(ReplayTime{span.epoch, span.from} < part.from()));
   PastTrace trace;
   const std::unique_ptr<Cell> cell = cell_at_start(header, part);
-  const Epoch epoch = cell->epoch();
-  Sampler sampler(trace.states, span, epoch);
+  Sampler sampler(trace.states, span);
   Replayer replayer(*cell, Compared::kNothing);
   replayer.sample_every(span.every, [&](const Cell& its) { sampler.take(its); });
-  replayer.stop_at({epoch, span.to});
+  replayer.stop_at({span.epoch, span.to});
   part.inputs.for_each([&](const recording::Entry& entry) {
     trace.difference = replayer.apply(entry);
     sampler.take_if_due(*cell);

@@ -13,6 +13,7 @@ namespace xr3 {
 
 /// Ticks of one epoch, both included.
 struct TraceSpan {
+  Epoch epoch = 0;
   Tick from = 0;
   Tick to = 0;
   Tick every = 1;  ///< > 0
@@ -26,7 +27,7 @@ struct PastTrace {
 /// The states of a part of a history at the multiples of `every` ticks, and at the end. With the
 /// byte clock, time passes in whole inputs, and so do the states. `header` is that of a recording
 /// of the cell. For any thread. Preconditions: `part` is what History::part_before() gave for
-/// `from`, and `to` is not after History::end_of_part().
+/// the first tick, and `to` is not after History::end_of_part().
 PastTrace trace_past(const recording::Header& header, const HistoryPart& part,
                      const TraceSpan& span);
 

@@ -132,9 +132,8 @@ Traced trace_json(const recording::Header& header, const HistoryPart& part, cons
     Json members = state_json(*header.model, state, fields);
     states.push_back({{"tick", state.state.tick}, {"state", std::move(members)}});
   }
-  const Epoch epoch = part.from().epoch;
-  Json value = {{"epoch", epoch}, {"states", std::move(states)}};
-  return {std::move(value), {epoch, span.to}, std::move(trace.difference)};
+  Json value = {{"epoch", span.epoch}, {"states", std::move(states)}};
+  return {std::move(value), {span.epoch, span.to}, std::move(trace.difference)};
 }
 
 ReplayTime time_of(const monitor::PastTime& wanted, const CallOf& of) {
@@ -215,12 +214,13 @@ asio::awaitable<void> PastCalls::carry_out(CallOf of, const monitor::Look& look)
 // A call gives one part of the history, and a bounded number of states: `next` says where to go on.
 asio::awaitable<void> PastCalls::carry_out(CallOf of, const monitor::Trace& trace) {
   if (!has_history(of)) co_return;
-  auto work = [header = recording_header(of.cell(), ""), from = trace.from.tick,
-               every = trace.every, fields = trace.fields](const HistoryPart& part, Tick end) {
-    const Tick to = std::min(end, from + kMostStates * every);
-    return trace_json(header, part, {from, to, every}, fields);
+  const ReplayTime from = time_of(trace.from, of);
+  auto work = [header = recording_header(of.cell(), ""), from, every = trace.every,
+               fields = trace.fields](const HistoryPart& part, Tick end) {
+    const Tick to = std::min(end, from.tick + kMostStates * every);
+    return trace_json(header, part, {from.epoch, from.tick, to, every}, fields);
   };
-  std::optional<Traced> traced = co_await make_from(of, time_of(trace.from, of), std::move(work));
+  std::optional<Traced> traced = co_await make_from(of, from, std::move(work));
   if (!traced) co_return;
   const bool goes_on = of.at->history()->covers({traced->end.epoch, traced->end.tick + 1});
   traced->value["next"] = goes_on ? Json(traced->end.tick) : Json();

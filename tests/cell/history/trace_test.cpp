@@ -22,8 +22,9 @@ ModelPtr traced_model() {
   return model;
 }
 
-PastTrace trace_of(const Cell& cell, const History& history, Epoch epoch, const TraceSpan& span) {
-  return trace_past(recording_header(cell, ""), *history.part_before({epoch, span.from}), span);
+PastTrace trace_of(const Cell& cell, const History& history, const TraceSpan& span) {
+  return trace_past(recording_header(cell, ""), *history.part_before({span.epoch, span.from}),
+                    span);
 }
 
 std::vector<Tick> ticks_of(const PastTrace& trace) {
@@ -60,7 +61,7 @@ RC_GTEST_PROP(PastTrace, HasTheStatesThatALookShows, ()) {
     const Tick end = history.end_of_part({epoch.epoch, from});
     RC_ASSERT(from <= end);
     RC_ASSERT(end <= epoch.to);
-    const PastTrace trace = trace_of(cell, history, epoch.epoch, {from, end, 250});
+    const PastTrace trace = trace_of(cell, history, {epoch.epoch, from, end, 250});
     RC_ASSERT(!trace.difference);
     for (const Snapshot& each : trace.states) {
       const ReplayTime time{epoch.epoch, each.state.tick};
@@ -80,7 +81,7 @@ TEST(PastTrace, LeavesOutTheStatesOfARestButTheFirstAndTheLast) {
   cell.apply(LineOpened{"test"}, 0);
   cell.apply(BytesIn{1, "E+10\r"}, 5'000'000'000);
   cell.catch_up(60'000'000'000);
-  const PastTrace trace = trace_of(cell, history, 0, {0, 60'000, 100});
+  const PastTrace trace = trace_of(cell, history, {0, 0, 60'000, 100});
   EXPECT_FALSE(trace.difference);
   const std::vector<Tick> ticks = ticks_of(trace);
   EXPECT_EQ(std::vector<Tick>(ticks.begin(), ticks.begin() + 3), (std::vector<Tick>{0, 5000, 5100}))
@@ -104,7 +105,7 @@ TEST(PastTrace, EndsWithItsPart) {
   EXPECT_LT(end, 30'000);
   EXPECT_GT(history.end_of_part({0, end}), end) << "the next part begins there";
   EXPECT_EQ(history.end_of_part({0, 30'000}), 30'000);
-  const PastTrace trace = trace_of(cell, history, 0, {5, end, 100});
+  const PastTrace trace = trace_of(cell, history, {0, 5, end, 100});
   EXPECT_EQ(ticks_of(trace).front(), 100);
   EXPECT_EQ(ticks_of(trace).back(), end);
 }
@@ -117,10 +118,23 @@ TEST(PastTrace, TheByteClockGivesAStateAfterItsInputs) {
   cell.apply(LineOpened{"test"}, 0);
   cell.apply(BytesIn{1, "E+90\r"}, 0);
   for (int i = 0; i < 100; ++i) cell.apply(BytesIn{1, "I"}, 0);
-  const PastTrace trace = trace_of(cell, history, 0, {0, cell.state().tick, 50});
+  const PastTrace trace = trace_of(cell, history, {0, 0, cell.state().tick, 50});
   EXPECT_FALSE(trace.difference);
   EXPECT_GT(trace.states.size(), 8U);
   EXPECT_TRUE(std::ranges::is_sorted(ticks_of(trace)));
+}
+
+TEST(PastTrace, AnEpochBeginsWithinItsPart) {
+  monitor::ByteBudget budget(kTraceBudget);
+  Cell cell("main", traced_model(), SimClock::manual(), {});
+  const History history(cell, kHour, budget);
+  cell.apply(LineOpened{"test"}, 0);
+  cell.apply(Input{call::Call{call::Step{5000}}}, 0);
+  cell.apply(Input{call::Call{call::Reset{}}}, 0);
+  cell.apply(Input{call::Call{call::Step{300}}}, 0);
+  const PastTrace trace = trace_of(cell, history, {1, 0, 300, 100});
+  EXPECT_EQ(ticks_of(trace), (std::vector<Tick>{0, 300}));
+  for (const Snapshot& each : trace.states) EXPECT_EQ(each.epoch, 1);
 }
 
 TEST(PastTrace, AnEpochEndsIt) {
@@ -131,7 +145,7 @@ TEST(PastTrace, AnEpochEndsIt) {
   cell.apply(BytesIn{1, "E+90\r"}, 0);
   cell.apply(Input{call::Call{call::Step{500}}}, 0);
   cell.apply(Input{call::Call{call::Reset{}}}, 0);
-  const PastTrace trace = trace_of(cell, history, 0, {0, 500, 100});
+  const PastTrace trace = trace_of(cell, history, {0, 0, 500, 100});
   EXPECT_EQ(ticks_of(trace).size(), 6U);
   for (const Snapshot& each : trace.states) EXPECT_EQ(each.epoch, 0);
 }
