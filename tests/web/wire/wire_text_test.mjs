@@ -1,7 +1,7 @@
 // What a message of the wire concerns: a joint, a problem. The messages are those of a server.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { concernsJoint, isProblem } from "../../../clients/web/src/lib/wire_text.js";
+import { concernsJoint, isProblem } from "../../../clients/web/src/wire/wire_text.js";
 
 const message = (dir, text, ...items) => ({ dir, text, parsed: items.map(([code, said]) => ({ code, message: said })) });
 const lettersOf = (each) => [..."ABCDEFGH"].filter((letter) => concernsJoint(each, letter)).join("");
