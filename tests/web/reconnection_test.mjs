@@ -1,7 +1,7 @@
 // The wire panel after a lost connection, with and without a restart of the server.
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
-import { close, open, ready, serve, type } from "./bench.mjs";
+import { close, open, openTimeBar, ready, serve, type } from "./bench.mjs";
 
 after(close);
 
@@ -35,6 +35,31 @@ test("bytes of a restarted server are shown although its sequence numbers repeat
   const [before, , mark, after] = await rows(page);
   assert.equal(after, before);
   assert.match(mark, /restarted/);
+  await page.context().close();
+  await second.stop("SIGKILL");
+});
+
+test("what another run of the server sent is before every moment of this one", async () => {
+  const first = await serve("--clock", "manual");
+  const page = await open(first.url);
+  await ready(page);
+  await page.evaluate(() => window.xr3.step(500));
+  await type(first.robot, "F+20\r");
+  await page.waitForSelector("#wire li.in");
+  const second = await again(page, first, "--clock", "manual");
+  await page.waitForSelector("#wire .mark:has-text('restarted')");
+  await page.evaluate(() => window.xr3.step(200));
+  await type(second.robot, "E+20\r");
+  await page.waitForSelector("#wire li.in:has-text('E+20')");
+  await openTimeBar(page);
+  await page.waitForSelector("#past-slider:enabled");
+  await page.focus("#past-slider");
+  await page.keyboard.press("Home");
+  await page.waitForSelector("#wire-moment:visible");
+  const [before, mark, ...more] = await rows(page);
+  assert.match(before, /F\+20/);
+  assert.match(mark, /restarted/);
+  assert.deepEqual(more, []);
   await page.context().close();
   await second.stop("SIGKILL");
 });
