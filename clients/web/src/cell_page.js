@@ -29,7 +29,7 @@ import { byId, el, isSame, setText } from "./lib/dom.js";
 import { JointPanel } from "./inspector/joint_panel.js";
 import { LinesPanel } from "./panels/lines_panel.js";
 import { tip } from "./lib/kinematics.js";
-import { motorFiles } from "./lib/motors.js";
+import { namesOf } from "./lib/motors.js";
 import { Mover } from "./lib/mover.js";
 import { NoScene } from "./scene/no_scene.js";
 import { PaperView } from "./panels/paper_view.js";
@@ -93,7 +93,7 @@ const mover = new Mover({
 });
 const joints = new JointPanel({
   host: byId("joints"), units: byId("joint-unit"), mover,
-  onPreview: (goal) => scene.showGhost(goal && hands.valuesAt({ ...countsOf(known.state), ...goal })),
+  onPreview: showTarget,
 });
 const hands = new HandMover({ mover, inverse: (args) => connection.call("inverse", args) });
 const tool = new ToolPanel({
@@ -114,6 +114,8 @@ async function robotPort() {
   return cells.find(({ name }) => name === cellName())?.robot_port ?? null;
 }
 scene.picking.onClick = (spot, { offsetX, offsetY }) => {
+  const { holding } = known.state?.tool ?? {};
+  if (spot && !spot.name && holding) return blockCard.open(holding, { x: offsetX, y: offsetY }, spot.xyz_mm);
   if (!spot?.name) return blockCard.close();
   blockCard.open(spot.name, { x: offsetX, y: offsetY });
   workcell.choose(spot.name);
@@ -310,6 +312,7 @@ function takeModel(model) {
 /** Models also arrive when blocks move: motions go on then, and the panels have newer places of the blocks than the last state. */
 function takeRobot(robot) {
   known.robot = robot;
+  known.names = namesOf(robot);
   mover.setRobot(robot);
   hands.setRobot(robot);
   if (known.state) takeState(known.state);
@@ -363,6 +366,8 @@ function takeEvent(event) {
   rewind.note(event);
   if (event.event === "epoch") scene.clearPath();
   if (event.event === "homed" || event.event === "epoch") scene.jump();
+  if (event.event === "homed") messages.forget(); // what was refused there is past
+  if (event.code === "below_surface") showMessage(`${event.message}. A real arm would hit the table.`);
   if (event.event === "clock" && known.state) takeClock(event);
   if (kOfLines.has(event.event)) lines.touch();
   if (event.event === "cell_closed") showMessage("This robot is gone: its program has closed the connection, and nobody came back.");
@@ -373,8 +378,7 @@ function takeEvent(event) {
 
 /** Two lines that move one joint, until one of them closes or time begins anew. */
 function contestAfter(contest, { event, line, other_line, joint }) {
-  const motors = known.model ? motorFiles(known.model.robot) : [];
-  if (event === "contested") return { lines: [other_line, line], joint: motors.find(({ label }) => label === joint)?.name ?? joint };
+  if (event === "contested") return { lines: [other_line, line], joint: known.names?.[joint] ?? joint };
   const ends = event === "epoch" || (event === "line_close" && contest?.lines.includes(line));
   return ends ? null : contest;
 }
@@ -396,6 +400,15 @@ function showQueue() {
   if (known.state) joints.setState(known.past ?? known.state);
 }
 
+/** Shows where a slider would move the arm; red, if the tip would be below the table. */
+function showTarget(goal) {
+  const values = goal && hands.valuesAt({ ...countsOf(known.state), ...goal });
+  const depth = values ? scene.picking.surface - tip(known.model.robot, values)[2] : 0;
+  scene.showGhost(values, depth > 0.5);
+  byId("reads").hidden = depth <= 0.5;
+  if (depth > 0.5) byId("reads").replaceChildren(`The tip would be ${Math.round(depth)} mm below the table.`);
+}
+
 /** Shows the place under the pointer, and the name of a block there. */
 function showSpot(spot) {
   byId("reads").hidden = !spot;
@@ -409,8 +422,8 @@ function showStatus() {
   const { past, hello, state } = known;
   const place = past ? { tick: past.tick, epoch: past.epoch } : null;
   status.show(statusOf({
-    connection: byId("status").dataset.connection, state, place, contest: known.contest ?? null, hz: hello?.tick_hz ?? 1000,
-    retryS: connection.retryInS, heardS: (performance.now() - (connection.heardAt ?? 0)) / 1000,
+    connection: byId("status").dataset.connection, state: state && { ...state, tick: timeBar.tickNow() }, place, contest: known.contest ?? null, hz: hello?.tick_hz ?? 1000,
+    names: known.names ?? {}, retryS: connection.retryInS, heardS: (performance.now() - (connection.heardAt ?? 0)) / 1000,
   }), { mayAct: access.mayCall });
   showMoment(place);
 }

@@ -8,7 +8,7 @@ const kState = {
   epoch: 0, tick: 253_412, joints: [motor("F"), motor("E")], tool: motor("A"), moving: false, stalled: null, enabled: true, clock: { mode: "real", rate: 1 },
 };
 const situation = (changes = {}, state = {}) => ({
-  connection: "open", state: { ...kState, ...state }, place: null, contest: null, hz: 1000, retryS: null, heardS: 0, mayCall: true, ...changes,
+  connection: "open", state: { ...kState, ...state }, place: null, contest: null, hz: 1000, retryS: null, heardS: 0, mayCall: true, names: { F: "base", E: "shoulder" }, ...changes,
 });
 const say = (status) => [status.what, status.rest].filter(Boolean).join(" ");
 
@@ -20,10 +20,10 @@ test("at rest and in motion there is nothing to say", () => {
 test("each status that stops the robot has one sentence and one action", () => {
   const cases = [
     [situation({ contest: { lines: [4, 7], joint: "shoulder" } }), "other", "Lines 4 and 7 both move the shoulder. Each undoes the other’s work.", "Show line 7"],
-    [situation({}, { clock: { mode: "manual" } }), "paused", "Time is paused. Nothing waits to move.", "Continue"],
-    [situation({}, { clock: { mode: "manual" }, joints: [motor("F", 1)] }), "paused", "Time is paused. 1 count of F is waiting.", "Continue"],
+    [situation({}, { clock: { mode: "manual" } }), "paused", "Time is paused. No motion is waiting.", "Continue"],
+    [situation({}, { clock: { mode: "manual" }, joints: [motor("F", 1)] }), "paused", "Time is paused. 1 count of the base is waiting.", "Continue"],
     [situation({}, { clock: { mode: "manual" }, joints: [motor("F", -5), motor("E", 2)] }), "paused",
-      "Time is paused. 5 counts of F and of 1 more are waiting.", "Continue"],
+      "Time is paused. 5 counts of the base and of 1 more are waiting.", "Continue"],
     [situation({}, { stalled: "work_surface" }), "stalled", "The arm is stalled: the tip went below the table. It moves again after Home.", "Home"],
     [situation({}, { enabled: false }), "disabled", "The simulator is switched off. It ignores the lines until you switch it on.", "Switch on"],
     [situation({ place: { epoch: 0, tick: 212_000 } }), "past", "You see 3:32, 41 s ago. The robot goes on meanwhile.", "Back to now"],

@@ -111,10 +111,10 @@ test("a reset, a disabled simulator and a block in the way stop the program", as
   await assert.rejects(play(reset, [point(5, 0, 0), point(90, 0, 0)], () => ++reset.epoch), /the robot was reset/);
   const disabled = new Robot();
   disabled.enabled = false;
-  await assert.rejects(play(disabled, [point(5, 0, 0)]), /disabled/);
+  await assert.rejects(play(disabled, [point(5, 0, 0)]), /switched off/);
   const blocked = new Robot();
   blocked.width = 10;
-  await assert.rejects(play(blocked, [point(0, 0, 20)]), /A is at 10, not at 20: a block is between the jaws/);
+  await assert.rejects(play(blocked, [point(0, 0, 20)]), /the tool, A, is at 10, not at 20: a block is between the jaws/);
 });
 
 test("a robot that does not do what was sent stops the program", async () => {

@@ -8,7 +8,8 @@ import { armStatus, stallText } from "../lib/arm_status.js";
  * @typedef {{kind: Kind, word: string, what?: string, rest?: string, action?: {name: string, act: string}}} Status
  *   `what` and `rest` are the sentence, the first part in bold; `act` names what the button does
  * @typedef {{connection: "connecting" | "open" | "silent" | "lost", state: any, place: {tick: number, epoch: number} | null,
- *   contest: {lines: [number, number], joint: string} | null, hz: number, retryS: number | null, heardS: number, mayCall: boolean}} Situation
+ *   contest: {lines: [number, number], joint: string} | null, hz: number, retryS: number | null, heardS: number,
+ *   mayCall: boolean, names: Record<string, string>}} Situation `names`: of the motors, by label
  */
 
 /** 3:32, or 1:02:05 from an hour on. @param {number} ticks @param {number} hz */
@@ -22,11 +23,12 @@ export function clockText(ticks, hz) {
 /** @param {any} state */
 const motorsOf = (state) => [...state.joints, state.tool];
 
-/** The counts to go while time is paused, as a sentence. @param {any} state */
-function waitingText(state) {
+/** The counts to go while time is paused, as a sentence. @param {any} state @param {Record<string, string>} names */
+function waitingText(state, names) {
   const waiting = motorsOf(state).filter(({ error }) => error !== 0);
-  if (waiting.length === 0) return "Nothing waits to move.";
-  const [{ error, name, label }] = waiting;
+  if (waiting.length === 0) return "No motion is waiting.";
+  const [{ error, label }] = waiting;
+  const name = names[label];
   const more = waiting.length > 1 ? ` and of ${waiting.length - 1} more` : "";
   const counts = Math.abs(error);
   return `${counts} ${counts === 1 ? "count" : "counts"} of ${name ? `the ${name}` : label}${more} ${counts === 1 && !more ? "is" : "are"} waiting.`;
@@ -85,7 +87,7 @@ export function statusOf(now) {
   if (higher) return higher;
   if (!state) return { kind: "lost", word: "Connecting" };
   if (state.clock.mode === "manual") {
-    return { kind: "paused", word: "Paused", what: "Time is paused.", rest: waitingText(state), action: { name: "Continue", act: "resume" } };
+    return { kind: "paused", word: "Paused", what: "Time is paused.", rest: waitingText(state, now.names), action: { name: "Continue", act: "resume" } };
   }
   if (contest) {
     const [one, other] = contest.lines;

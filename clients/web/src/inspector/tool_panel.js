@@ -144,7 +144,7 @@ export class ToolPanel {
   showQueue() {
     const waiting = this.mover.queue.length;
     this.queue.hidden = waiting < 2;
-    setText(this.queue, `${waiting} to do; Esc drops them`);
+    setText(this.queue, `${waiting} moves to do. Esc cancels those that wait.`);
   }
 }
 

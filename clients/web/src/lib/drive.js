@@ -1,6 +1,7 @@
 // @ts-check
 // Moves motors to counts by bytes on the page's own serial line, in strides that the error counters carry, each awaited before
 // the next: so the arm stops if the page is closed. Independent of the page.
+import { namesOf } from "./motors.js";
 import { gripTarget, jawsOf, moveText, speedsOf, strides } from "./stride.js";
 
 /**
@@ -17,7 +18,7 @@ const kStalls = /** @type {Record<string, string>} */ ({
   protected_region: "the tip would enter the protected region. Press Home, then go another way",
   work_surface: "the tip would pass below the work surface. Press Home, then stay higher",
 });
-const kWhy = /** @type {Record<string, string>} */ ({ limit: "its limit, or that of a coupled joint, is reached", block: "a block is between the jaws: turn on “grips a block” for this point" });
+const kWhy = /** @type {Record<string, string>} */ ({ limit: "its limit, or that of a coupled joint, is reached. Move the other way, or press Home", block: "a block is between the jaws: turn on “grips a block” for this point" });
 
 /** Why a motion has stopped. */
 export class Stopped extends Error {}
@@ -42,6 +43,7 @@ export class Drive {
   /** @param {import("./monitor_types").Robot} robot */
   setRobot(robot) {
     this.jaws = jawsOf(robot);
+    this.names = namesOf(robot);
     this.speeds = speedsOf(robot);
   }
 
@@ -98,7 +100,7 @@ export class Drive {
       if (mayGrip && !state.moving && state.tool.holding !== null) return true;
       stillMs = state.moving ? 0 : stillMs + kEveryMs;
       const blocked = state.moving ? undefined : motors.find((motor) => motor.blocked);
-      if (blocked || stillMs > kGraceMs) throw new Stopped(whyNot(blocked ?? motors.find(({ label, count }) => count !== at[label]) ?? motors[0], at));
+      if (blocked || stillMs > kGraceMs) throw new Stopped(whyNot(blocked ?? motors.find(({ label, count }) => count !== at[label]) ?? motors[0], at, this.names));
       await this.sleep(kEveryMs);
     }
   }
@@ -133,8 +135,8 @@ export class Drive {
 /** @param {DriveState} state */
 const countsText = (state) => Object.entries(countsOf(state)).map(([label, count]) => `${label} ${count}`).join(", ");
 
-/** @param {Motor} motor @param {Counts} at */
-function whyNot({ label, count, error, blocked }, at) {
+/** @param {Motor} motor @param {Counts} at @param {Record<string, string>} names */
+function whyNot({ label, count, error, blocked }, at, names) {
   const why = kWhy[blocked] ?? (error === 0 ? "another program moves the robot, or bytes were lost" : "nothing moves");
-  return `${label} is at ${count}, not at ${at[label]}: ${why}`;
+  return `${names[label] ? `the ${names[label]}, ${label},` : label} is at ${count}, not at ${at[label]}: ${why}`;
 }

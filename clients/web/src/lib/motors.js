@@ -38,3 +38,6 @@ export function valuesOf(robot, counts) {
 
 /** @param {Joint} motor */
 const homeOf = ({ home = 0, variable, theta_deg, d }) => (variable === "theta" ? theta_deg : variable === "d" ? d : home);
+
+/** The names of all motors, by label. @param {import("./monitor_types").Robot} robot @returns {Record<string, string>} */
+export const namesOf = (robot) => Object.fromEntries(motorFiles(robot).map(({ label, name }) => [label, name]));

@@ -54,6 +54,8 @@ export class HistoryBar {
     for (const end of ["pointerup", "pointercancel"]) addEventListener(end, () => this.#release(), true);
     slider.addEventListener("input", () => this.#goTo(slider.valueAsNumber));
     slider.addEventListener("keydown", (event) => this.#key(event));
+    slider.addEventListener("pointermove", (event) => this.#point(event));
+    slider.addEventListener("pointerleave", () => this.#describe(this.place));
   }
 
   // While the slider is held, its axis stands still under the pointer.
@@ -67,6 +69,13 @@ export class HistoryBar {
     this.isHeld = false;
     if (this.slider.valueAsNumber >= this.axis.length) this.onLive();
     this.#draw();
+  }
+
+  /** Tells the time under the pointer. @param {PointerEvent} event */
+  #point({ clientX }) {
+    if (this.isHeld || this.axis.length === 0) return;
+    const { left, width } = this.marks.getBoundingClientRect();
+    setText(this.output, placeText(this.axis.placeAt(((clientX - left) / width) * this.axis.length)));
   }
 
   // --- From the server.

@@ -100,8 +100,10 @@ export class Rewind {
   #show() {
     const { place, history, trouble } = this.past;
     if (history && history !== this.shown) Object.assign(this.present, { isPast: history.past, epoch: history.epoch, tick: history.tick });
-    if (history !== this.shown) this.bar.setHistory(history);
-    this.shown = history;
+    if (history !== this.shown && !this.#standsStill(history)) {
+      this.bar.setHistory(history);
+      this.shown = history;
+    }
     this.bar.setPlace(this.past.goal);
     const { present } = this;
     const hasEnd = this.bar.axis.endBefore() !== null;
@@ -109,6 +111,11 @@ export class Rewind {
     byId("past").hidden = !(this.isBarOpen || place || present.isPast);
     this.lock.set("look", place ? kLooking : null, { except: kLeadsOut });
     this.lock.set("past", present.isPast ? kTakenBack : null, { except: kLeadsOutOrOn });
+  }
+
+  /** While the page looks at a moment, the axis does not move away from it. */
+  #standsStill(history) {
+    return this.past.place !== null && history?.epoch === this.shown?.epoch;
   }
 
   // --- The user.

@@ -41,16 +41,19 @@ export class BlockCard {
       button.dataset.call = "send";
       return button;
     };
+    this.free = el("span.group", {}, act("Pick it up", () => this.pick(this.name), ".primary"), act("Go above", () => this.goAbove()));
+    this.put = el("span.group", {}, act("Put it down", () => this.putDown(), ".primary"));
     this.card = el("div.pop", { id: "block-card", role: "group", "aria-label": "Block", hidden: true },
       el("header", {}, this.swatch, this.title, el("span.grow"), close),
       el("dl", {}, el("dt", {}, "size"), this.facts.size, el("dt", {}, "centre"), this.facts.centre, el("dt", {}, "turned"), this.facts.turned),
-      el("span.group", {}, act("Pick it up", () => this.pick(this.name), ".primary"), act("Go above", () => this.goAbove())));
+      this.free, this.put);
     this.host.append(this.card);
   }
 
   /** @param {import("../lib/monitor_types").Model} model */
   setModel({ workcell }) {
     const unit = mmPerUnit(workcell);
+    this.surface = (workcell.work_surface ?? 0) * unit;
     /** @type {Map<string, {size: number[], color: number}>} */
     this.files = new Map(workcell.blocks.map((/** @type {any} */ { name, size, color }) => [name, { size: size.map((/** @type {number} */ v) => v * unit), color }]));
     this.#show();
@@ -62,9 +65,13 @@ export class BlockCard {
     this.#show();
   }
 
-  /** Opens the card of a block beside a place in the picture. @param {string} name @param {{x: number, y: number}} at px */
-  open(name, { x, y }) {
+  /**
+   * Opens the card of a block beside a place in the picture. `there`: where a held block is put down, [x, y] in mm; null: below the hand
+   * @param {string} name @param {{x: number, y: number}} at px @param {number[] | null} there
+   */
+  open(name, { x, y }, there = null) {
     this.name = name;
+    this.there = there;
     this.#show();
     const left = Math.min(x + 20, this.host.clientWidth - this.card.offsetWidth - 8);
     const top = Math.min(Math.max(8, y - this.card.offsetHeight / 2), this.host.clientHeight - this.card.offsetHeight - 8);
@@ -81,6 +88,9 @@ export class BlockCard {
     const file = this.files?.get(this.name);
     this.card.hidden = !block || !file;
     if (!block || !file) return;
+    this.free.hidden = block.held;
+    this.put.hidden = !block.held;
+    setText(this.put.firstElementChild, this.there ? `Put it at x ${Math.round(this.there[0])} y ${Math.round(this.there[1])}` : "Put it down");
     this.swatch.style.background = colorOf(file.color);
     setText(this.title, `${block.name}${block.held ? ", held" : ""}`);
     setText(this.facts.size, `${file.size.map((v) => Math.round(v)).join(" × ")} mm`);
@@ -125,5 +135,22 @@ export class BlockCard {
     this.hands.go(there.counts, low);
     this.tool.close();
     this.hands.go(above.counts, high);
+  }
+
+  /** Puts the held block down on the table, there or below the hand, opens the jaws, and goes up. Finds all places first. */
+  async putDown() {
+    const { xyz_mm, name } = this.#block(this.name);
+    const { counts, hand } = this.hands.end();
+    const [x, y] = this.there ?? hand.xyz_mm;
+    const fall = xyz_mm[2] - this.files.get(name).size[2] / 2 - this.surface;
+    const low = { ...hand, xyz_mm: [x, y, hand.xyz_mm[2] - fall] };
+    const high = { ...low, xyz_mm: [x, y, Math.max(hand.xyz_mm[2], low.xyz_mm[2] + kAboveMm)] };
+    const above = await this.hands.ask(high, counts);
+    const there = await this.hands.ask(low, above.counts);
+    this.hands.go(above.counts, high);
+    this.hands.go(there.counts, low);
+    this.tool.open();
+    this.hands.go(above.counts, high);
+    this.close();
   }
 }

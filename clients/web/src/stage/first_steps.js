@@ -43,7 +43,7 @@ export class FirstSteps {
     const steps = this.#steps(await this.getPort().catch(/** @returns {null} */ () => null));
     const close = el("button.icon.quiet", { type: "button", "aria-label": "Close", title: "Close", onclick: () => this.close() }, "×");
     this.card.replaceChildren(el("header", {}, el("h2", {}, "Things to try"), close), el("ol", {}, ...steps.map((step, i) => this.#item(step, i + 1))),
-      el("p.hint", {}, "Or take the orange ball at the tip and drag it. Help shows this card again."));
+      el("p.hint", {}, "Or drag the orange ball at the tip; with Shift up and down. Drag a block to move it. Help shows this card again."));
     this.card.hidden = false;
     this.lock.apply(); // its buttons are new
   }
@@ -69,7 +69,7 @@ export class FirstSteps {
     };
     return [
       ...(first ? [{ title: `Move the ${first.name}`, what: `The page sends ${first.command}: ${first.counts} counts, ${first.amount}.`, button: "Move", act: move }] : []),
-      ...(block ? [{ title: `Pick up the block ${block.name}`, what: "It takes some seconds. A click on any block does the same.", button: "Pick", act: grasp }] : []),
+      ...(block ? [{ title: `Pick up ${block.name}`, what: "It takes some seconds. A click on any block offers the same, and to go above it.", button: "Pick", act: grasp }] : []),
       { title: "Connect a program", what: `Programs connect to ${addressOf(port)}. In a terminal: xr3 term. In Python: import xr3; robot = xr3.connect()` },
     ];
   }
