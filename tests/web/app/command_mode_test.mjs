@@ -27,7 +27,7 @@ test("letters typed into a text input are not commands", () =>
     await page.fill("#wire-filter", "");
     await page.locator("#wire-filter").press("d");
     assert.equal(await page.inputValue("#wire-filter"), "d");
-    await page.click("#wire-count");
+    await page.click("#wire");
     await page.keyboard.press("p"); // its result comes after that of a call by the d, if there was one
     await page.waitForFunction(() => window.xr3.known.display.erase === false);
     assert.equal(await page.evaluate(() => window.xr3.known.display.on), false);
