@@ -144,6 +144,36 @@ test("in the past the wire shows what was sent until then, folded, and in the pr
     assert.equal((await rows()).length, 3);
   }));
 
+test("after a look the wire follows its newest bytes again", () =>
+  withPast(["--clock", "manual"], async (page) => {
+    const send = (text) => page.evaluate((bytes) => window.xr3.call("send", { text: bytes }), text);
+    for (let i = 0; i < 20; ++i) await send(i % 2 ? "E+5\r" : "E-5\r");
+    await page.evaluate(() => window.xr3.step(6000));
+    for (let i = 0; i < 4; ++i) await send("E?");
+    await page.focus(slider);
+    await page.keyboard.press("Home");
+    await looksAt(page, "0:00.000, epoch 0");
+    await page.keyboard.press("Escape");
+    await page.waitForSelector("#wire-moment", { state: "hidden" });
+    for (let i = 0; i < 4; ++i) await send("F+1\r");
+    await page.waitForSelector("#wire li:last-child:has-text('F+1')");
+    await page.waitForFunction(() => {
+      const { scrollHeight, scrollTop, clientHeight } = document.querySelector("#wire");
+      return scrollHeight > clientHeight && scrollHeight - scrollTop - clientHeight < 2;
+    });
+    assert.ok(await page.isHidden("#wire-newer"));
+  }));
+
+test("the age of the moment grows while the robot goes on, though nothing moves", () =>
+  withPast(["--clock", "real"], async (page) => {
+    await page.focus(slider);
+    await page.keyboard.press("Home");
+    await page.waitForSelector("#banner:has-text('s ago')");
+    const age = () => page.evaluate(() => Number(/(\d+) s ago/.exec(document.querySelector("#banner").textContent)[1]));
+    const before = await age();
+    await page.waitForFunction((seconds) => Number(/(\d+) s ago/.exec(document.querySelector("#banner").textContent)[1]) > seconds, before);
+  }));
+
 test("many events have few marks, and a mark keeps the focus while the history grows", () =>
   withPast(["--clock", "manual"], async (page, played) => {
     await page.focus(".event-mark[data-kind=stall]");

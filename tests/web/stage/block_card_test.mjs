@@ -47,3 +47,30 @@ test("the place under the pointer is shown in millimetres, with the name of a bl
     await page.waitForSelector("#reads:has-text('· blue')");
     assert.match(await page.textContent("#reads"), /^x 3\d\d y -\d+ z \d+ mm · blue$/);
   }));
+
+/** Clicks a point of the table, mm. */
+async function clickTable(page, [x, y]) {
+  const at = await page.evaluate(([px, py]) => {
+    const { scene } = window.xr3;
+    const box = document.querySelector("#solid").getBoundingClientRect();
+    const seen = scene.ball.mesh.position.clone().set(px, py, 0).project(scene.eye.camera);
+    return { x: box.left + ((seen.x + 1) / 2) * box.width, y: box.top + ((1 - seen.y) / 2) * box.height };
+  }, [x, y]);
+  await page.mouse.click(at.x, at.y);
+}
+
+const blockIn = async (server, wanted) => (await server.state()).blocks.find(({ name }) => name === wanted);
+
+test("a held block is put down where the table is clicked, and the hand goes up", () =>
+  withPage(["--clock", "real:20"], async (page, server) => {
+    await click(page, "red");
+    await page.click("#block-card button:has-text('Pick it up')");
+    await page.waitForFunction(() => window.xr3.isIdle() && window.xr3.known.state.tool.holding === "red");
+    assert.ok(await page.isHidden("#block-card button:has-text('Pick it up')"));
+    await clickTable(page, [300, -180]);
+    await page.click("#block-card button:has-text('Put it at x')");
+    await page.waitForFunction(() => window.xr3.isIdle() && window.xr3.known.state.tool.holding === null && !window.xr3.known.state.moving);
+    const { xyz_mm: [x, y, z] } = await blockIn(server, "red");
+    assert.ok(Math.abs(x - 300) < 5 && Math.abs(y + 180) < 5 && Math.abs(z - 20) < 1.5, String([x, y, z]));
+    assert.ok((await server.state()).tool.xyz_mm[2] > 60);
+  }));

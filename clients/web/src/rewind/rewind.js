@@ -36,6 +36,7 @@ export class Rewind {
     byId("rewind").setAttribute("aria-expanded", String(this.isBarOpen));
     for (const id of ["rewind", "rewind-too"]) byId(id).onclick = () => this.#toggle();
     addEventListener("keydown", (event) => this.#key(event));
+    byId("past").addEventListener("pointerenter", () => this.#pass());
     document.addEventListener("visibilitychange", () => this.#pass());
     setInterval(() => this.#pass(), kEveryMs);
     this.#show();

@@ -35,7 +35,9 @@ export class WireList {
     this.newer = newer;
     this.fold = new WireFold(list);
     this.follows = true;
+    this.top = 0; // where the list was scrolled to
     this.#count(0);
+    new ResizeObserver(() => this.follow()).observe(list);
     list.addEventListener("scroll", () => list.offsetParent && this.#scrolled());
     list.addEventListener("click", ({ target }) => {
       if (target instanceof HTMLElement && target.matches(".line")) onLine(Number(target.textContent));
@@ -46,9 +48,12 @@ export class WireList {
     };
   }
 
+  // Only the user scrolls up; the list also changes its height.
   #scrolled() {
     const { scrollHeight, scrollTop, clientHeight } = this.list;
-    this.follows = scrollHeight - scrollTop - clientHeight < kNearPx;
+    const isNear = scrollHeight - scrollTop - clientHeight < kNearPx;
+    this.follows = isNear || (this.follows && scrollTop >= this.top);
+    this.top = scrollTop;
     if (this.follows) this.#count(0);
   }
 
@@ -63,6 +68,7 @@ export class WireList {
     this.follows = true;
     this.#count(0);
     this.list.scrollTop = this.list.scrollHeight;
+    this.top = this.list.scrollTop;
   }
 
   /** The list is in sight again. */
