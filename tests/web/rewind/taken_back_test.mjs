@@ -9,7 +9,7 @@ after(close);
 
 const slider = "#past-slider";
 const banner = (page) => page.evaluate(() => ["what", "rest", "act"].map((id) => document.querySelector(`#banner-${id}`).textContent).join(" "));
-const buttons = (page) => page.$$eval("#past-notice button", (all) => all.filter((each) => each.checkVisibility()).map((each) => each.textContent));
+const buttons = (page) => page.$$eval("#past-notice button", (all) => all.filter((each) => each.checkVisibility({ visibilityProperty: true })).map((each) => each.textContent));
 const kind = (page, wanted) => page.waitForSelector(`#past-notice[data-kind=${wanted}]`, { state: "attached" });
 
 /** The server says that the robot is in the past, or not any more. */
