@@ -78,7 +78,7 @@ test("a value is typed, in degrees or in counts; arrow keys move by a step", () 
 test("Escape drops the motions that wait", () =>
   withPage(["--clock", "manual"], async (page) => {
     for (let i = 0; i < 6; ++i) await page.click("#jog [aria-label='y plus']");
-    await page.waitForSelector("#queue:has-text('6 to do')");
+    await page.waitForSelector("#queue:has-text('6 moves to do')");
     await page.keyboard.press("Escape");
     await page.waitForSelector("#queue", { state: "hidden" });
   }, { picture: false }));
