@@ -114,3 +114,14 @@ test("the view's focus outline lies inside its border, and its label names the k
     assert.ok(width >= 2 && offset <= -width, `outline ${width} at ${offset}`);
     assert.match(await page.getAttribute("#solid canvas", "aria-label"), /Arrow.*Shift.*plus and minus/);
   }));
+
+test("the camera stays above the table, however far the view is turned", () =>
+  withPage(["--clock", "manual"], async (page) => {
+    const box = await page.locator("#solid").boundingBox();
+    await page.mouse.move(box.x + box.width * 0.85, box.y + box.height * 0.3);
+    await page.mouse.down();
+    await page.mouse.move(box.x + box.width * 0.85, box.y - 900, { steps: 5 });
+    await page.mouse.up();
+    await page.waitForFunction(() => window.xr3.scene.eye.view === null);
+    assert.ok(await page.evaluate(() => window.xr3.scene.eye.camera.position.z > window.xr3.scene.eye.controls.target.z));
+  }));

@@ -51,6 +51,7 @@ import { WirePanel } from "./wire/wire_panel.js";
 import { transcriptLine } from "./wire/wire_text.js";
 import { WorkcellPanel } from "./workcell/workcell_panel.js";
 
+const kTouchMm = 0.5; // the tip may touch the table
 const known = {}; // the newest hello, model, state and display, the arrival time of the state, and the state of the past that is shown
 
 // --- Connection and calls.
@@ -93,7 +94,7 @@ const mover = new Mover({
 });
 const joints = new JointPanel({
   host: byId("joints"), units: byId("joint-unit"), mover,
-  onPreview: showTarget,
+  onPreview: showTarget, onRefused: showMessage,
 });
 const hands = new HandMover({ mover, inverse: (args) => connection.call("inverse", args) });
 const tool = new ToolPanel({
@@ -156,6 +157,7 @@ const menu = new CommandMenu({ known, call, lock, showMessage });
 const run = (name) => menu.run(name);
 const old = new OldDrawer({ paper, call, run, follow: (options) => connection.follow("display", options) });
 new StageTools(scene);
+byId("solid").addEventListener("dblclick", () => byId("show-all").click());
 const status = new StatusView((act) => kActs[act]());
 const kActs = {
   retry: () => connection.retry(), live: () => rewind.past.live(), resume: () => call("resume"), enable: () => run("enabled"), home: () => call("home"),
@@ -367,7 +369,7 @@ function takeEvent(event) {
   if (event.event === "epoch") scene.clearPath();
   if (event.event === "homed" || event.event === "epoch") scene.jump();
   if (event.event === "homed") messages.forget(); // what was refused there is past
-  if (event.code === "below_surface") showMessage(`${event.message}. A real arm would hit the table.`);
+  if (event.code === "below_surface") showMessage("The tip is below the table. A real arm would hit it.");
   if (event.event === "clock" && known.state) takeClock(event);
   if (kOfLines.has(event.event)) lines.touch();
   if (event.event === "cell_closed") showMessage("This robot is gone: its program has closed the connection, and nobody came back.");
@@ -400,13 +402,16 @@ function showQueue() {
   if (known.state) joints.setState(known.past ?? known.state);
 }
 
-/** Shows where a slider would move the arm; red, if the tip would be below the table. */
+/** Shows where a slider would move the arm: red if the tip would be below the table. Returns why it may not go there, or null. */
 function showTarget(goal) {
   const values = goal && hands.valuesAt({ ...countsOf(known.state), ...goal });
   const depth = values ? scene.picking.surface - tip(known.model.robot, values)[2] : 0;
-  scene.showGhost(values, depth > 0.5);
-  byId("reads").hidden = depth <= 0.5;
-  if (depth > 0.5) byId("reads").replaceChildren(`The tip would be ${Math.round(depth)} mm below the table.`);
+  const isThere = known.state?.tool.xyz_mm[2] < scene.picking.surface - kTouchMm; // then any motion may lead out
+  const refusal = depth > kTouchMm && !isThere ? `The tip would be ${Math.round(depth)} mm below the table.` : null;
+  scene.showGhost(values, refusal !== null);
+  byId("reads").hidden = refusal === null;
+  if (refusal) byId("reads").replaceChildren(refusal);
+  return refusal;
 }
 
 /** Shows the place under the pointer, and the name of a block there. */

@@ -19,14 +19,15 @@ const asNumber = (/** @type {string} */ text) => Number(text.replace("−", "-")
 
 export class JointPanel {
   /**
-   * @param {{host: HTMLElement, units: HTMLElement, mover: import("../lib/mover.js").Mover, onPreview: (goal: Counts | null) => void}} parts
-   *   `onPreview` shows where the arm would go, or with null nothing
+   * @param {{host: HTMLElement, units: HTMLElement, mover: import("../lib/mover.js").Mover, onPreview: (goal: Counts | null) => string | null,
+   *   onRefused: (reason: string) => void}} parts `onPreview` shows where the arm would go, or with null nothing, and returns why it may not
    */
-  constructor({ host, units, mover, onPreview }) {
+  constructor({ host, units, mover, onPreview, onRefused }) {
     Object.assign(this, { host, mover, onPreview });
     this.host = host;
     this.mover = mover;
     this.onPreview = onPreview;
+    this.onRefused = onRefused;
     this.asCounts = false;
     /** @type {Map<string, any>} by label */
     this.rows = new Map();
@@ -110,15 +111,18 @@ export class JointPanel {
   /** @param {any} row @param {number} value */
   #preview(row, value) {
     row.isDragged = true;
-    this.onPreview(this.#countsAt(row, value));
+    row.refusal = this.onPreview(this.#countsAt(row, value));
     this.#show(row);
   }
 
   /** @param {any} row @param {number} value */
   #go(row, value) {
+    const refusal = row.isDragged ? row.refusal : null;
     row.isDragged = false;
     this.onPreview(null);
-    this.mover.add(this.#countsAt(row, value));
+    if (refusal === null) return this.mover.add(this.#countsAt(row, value));
+    this.onRefused(`${refusal} The arm stays where it is.`);
+    this.#show(row);
   }
 
   /** @param {any} row @param {KeyboardEvent} event */

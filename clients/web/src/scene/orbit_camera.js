@@ -6,6 +6,7 @@ import { actOf } from "./orbit_keys.js";
 import { standBack } from "./frame_camera.js";
 
 const kFieldDegrees = 26;
+const kLowest = (88 / 180) * Math.PI; // from the zenith: the camera stays above the table
 const kBannerPx = 56;
 const kFill = 0.92; // of the picture's width or height, whichever is the tighter
 // From where one looks: x runs right from the front, and in the first view.
@@ -21,6 +22,7 @@ export class Eye {
     this.camera.up.set(0, 0, 1);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.enableDamping = true;
+    this.controls.maxPolarAngle = kLowest;
     this.controls.addEventListener("change", () => {
       this.#turned();
       onChange();

@@ -10,6 +10,7 @@ import { cornersIn } from "./frame_camera.js";
 import { Motion } from "./motion.js";
 import { Picking } from "./picking.js";
 import { Ghost } from "./ghost.js";
+import { Plumb } from "./plumb.js";
 import { RobotBody } from "./robot_body.js";
 import { lamps, themes } from "./scene_theme.js";
 import { ToolPath } from "./tool_path.js";
@@ -61,13 +62,14 @@ export class Scene {
     this.robot = new RobotBody();
     this.ghost = new Ghost();
     this.ball = new TipBall(this.eye.camera);
+    this.plumb = new Plumb();
     this.table = new Turntable();
     this.marks = new CellMarks();
     this.axes = new AxisLabels();
     this.blocks = new Blocks();
     this.path = new ToolPath();
     this.scene = new THREE.Scene();
-    this.scene.add(...lamps(), this.robot.group, this.ghost.group, this.ball.mesh, this.table.group, this.marks.group, this.axes.group, this.blocks.group, this.path.line);
+    this.scene.add(...lamps(), this.robot.group, this.ghost.group, this.ball.mesh, this.plumb.group, this.table.group, this.marks.group, this.axes.group, this.blocks.group, this.path.line);
   }
 
   #resize() {
@@ -84,6 +86,7 @@ export class Scene {
     this.scene.background = new THREE.Color(themes[name].background);
     this.path.setTheme(name);
     this.ball.setTheme(name);
+    this.plumb.setTheme(name);
     if (this.model) this.setModel(this.model);
     this.#wake();
   }
@@ -224,13 +227,15 @@ export class Scene {
     this.#wake();
   }
 
-  /** Draws the ball at a point in mm, away from the tip, until dropTip(). */
+  /** Draws the ball at a point in mm, away from the tip, and what it is above, until dropTip(). */
   holdTip(xyz) {
     this.heldTip = new THREE.Vector3(...xyz);
+    this.plumb.show(xyz, this.picking.surface);
     this.#wake();
   }
   dropTip() {
     this.heldTip = null;
+    this.plumb.show(null, 0);
     this.#wake();
   }
 
