@@ -63,16 +63,21 @@ test("a slider goes by many moves where one is too long, and shows where it goes
 
 test("a slider that would put the tip below the table is refused when it is let go", () =>
   withPage(["--clock", "real:20"], async (page) => {
-    const box = await page.locator("#joints [data-label=E] input[type=range]").boundingBox();
-    const value = await page.evaluate(() => window.xr3.known.state.joints[1].value);
-    await page.mouse.move(box.x + 8 + (box.width - 16) * ((value + 140) / 150), box.y + box.height / 2);
+    await page.locator("#joints [data-label=E] .value").fill("0");
+    await page.locator("#joints [data-label=E] .value").press("Enter");
+    await page.waitForFunction(() => window.xr3.isIdle() && window.xr3.known.state.joints[1].value > -1 && !window.xr3.known.state.moving);
+    const slider = page.locator("#joints [data-label=D] input[type=range]");
+    const box = await slider.boundingBox();
+    const before = await page.evaluate(() => window.xr3.known.state.joints[2].count);
+    const at = await slider.evaluate(({ valueAsNumber, min, max }) => (valueAsNumber - Number(min)) / (Number(max) - Number(min)));
+    await page.mouse.move(box.x + 8 + (box.width - 16) * at, box.y + box.height / 2);
     await page.mouse.down();
-    await page.mouse.move(box.x + box.width - 2, box.y + box.height / 2, { steps: 4 });
+    await page.mouse.move(box.x + box.width * 0.58, box.y + box.height / 2, { steps: 4 });
     await page.waitForSelector("#reads:has-text('mm below the table')");
     await page.mouse.up();
     await page.waitForSelector("#message:has-text('The arm stays where it is.')");
     assert.ok(!await page.evaluate(() => window.xr3.isGhostShown()));
-    assert.deepEqual(await page.evaluate(() => [window.xr3.isIdle(), window.xr3.known.state.joints[1].count]), [true, 0]);
+    assert.deepEqual(await page.evaluate(() => [window.xr3.isIdle(), window.xr3.known.state.joints[2].count]), [true, before]);
   }));
 
 test("a value is typed, in degrees or in counts; arrow keys move by a step", () =>
