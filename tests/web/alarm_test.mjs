@@ -52,7 +52,7 @@ test("paused time is seen, with what waits, and goes on from there", () =>
   withPage([], async (page, server) => {
     await page.click("#pause");
     await type(server.robot, "E+50\r");
-    await page.waitForSelector("#banner[data-kind=paused]:has-text('Time is paused. 50 counts of E are waiting.')");
+    await page.waitForSelector("#banner[data-kind=paused]:has-text('Time is paused. 50 counts of the shoulder are waiting.')");
     await page.click("#banner-act:has-text('Continue')");
     await page.waitForFunction(() => window.xr3.known.state.joints[1].count === 50);
     await page.waitForSelector("#banner", { state: "hidden" });
