@@ -111,11 +111,10 @@ struct Look {
   PastTime at;
   std::vector<Selection> selections;  ///< selections of latest-wins channels
 };
-/// States of the past, one every so many ticks.
+/// Joints and tool in the past, one state every so many ticks.
 struct Trace {
   PastTime from;
   Tick every = 0;  ///< > 0
-  Fields fields;   ///< members of each state; nullopt for all
 };
 struct Live {};
 /// Takes the cell back to a time of its history.

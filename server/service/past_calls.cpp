@@ -15,7 +15,7 @@ namespace xr3 {
 namespace {
 
 constexpr std::size_t kMaxMarks = 500;
-constexpr Tick kMostStates = 2000;          ///< that a trace looks at; it gives those that differ
+constexpr Tick kMostStates = 500;           ///< that a trace looks at; it gives those that differ
 constexpr std::int64_t kEventsAtOnce = 64;  ///< some 5 us each
 
 call::Refused no_history(const HostedCell& at) {
@@ -116,26 +116,6 @@ Made make(const recording::Header& header, const HistoryPart& part, const Replay
   return made;
 }
 
-// --- States of the past, made in the worker.
-
-struct Traced {  // NOLINT(bugprone-exception-escape): to move a Json does not throw
-  Json value;
-  ReplayTime end;
-  std::optional<Difference> difference;
-};
-
-Traced trace_json(const recording::Header& header, const HistoryPart& part, const TraceSpan& span,
-                  const Fields& fields) {
-  PastTrace trace = trace_past(header, part, span);
-  Json states = Json::array();
-  for (const Snapshot& state : trace.states) {
-    Json members = state_json(*header.model, state, fields);
-    states.push_back({{"tick", state.state.tick}, {"state", std::move(members)}});
-  }
-  Json value = {{"epoch", span.epoch}, {"states", std::move(states)}};
-  return {std::move(value), {span.epoch, span.to}, std::move(trace.difference)};
-}
-
 ReplayTime time_of(const monitor::PastTime& wanted, const CallOf& of) {
   return {wanted.epoch.value_or(of.cell().epoch()), wanted.tick};
 }
@@ -215,16 +195,18 @@ asio::awaitable<void> PastCalls::carry_out(CallOf of, const monitor::Look& look)
 asio::awaitable<void> PastCalls::carry_out(CallOf of, const monitor::Trace& trace) {
   if (!has_history(of)) co_return;
   const ReplayTime from = time_of(trace.from, of);
-  auto work = [header = recording_header(of.cell(), ""), from, every = trace.every,
-               fields = trace.fields](const HistoryPart& part, Tick end) {
+  auto work = [header = recording_header(of.cell(), ""), from, every = trace.every](
+                  const HistoryPart& part, Tick end) {
     const Tick to = std::min(end, from.tick + kMostStates * every);
-    return trace_json(header, part, {from.epoch, from.tick, to, every}, fields);
+    return trace_past(header, part, {from.epoch, from.tick, to, every});
   };
-  std::optional<Traced> traced = co_await make_from(of, from, std::move(work));
+  std::optional<PastTrace> traced = co_await make_from(of, from, std::move(work));
   if (!traced) co_return;
-  const bool goes_on = of.at->history()->covers({traced->end.epoch, traced->end.tick + 1});
-  traced->value["next"] = goes_on ? Json(traced->end.tick) : Json();
-  of.session.send(monitor::result(of.id(), traced->value));
+  const bool goes_on = of.at->history()->covers({from.epoch, traced->to + 1});
+  const Json value = {{"epoch", from.epoch},
+                      {"states", std::move(traced->states)},
+                      {"next", goes_on ? Json(traced->to + 1) : Json()}};
+  of.session.send(monitor::result(of.id(), value));
 }
 
 asio::awaitable<void> PastCalls::carry_out(CallOf of, const monitor::Seek& seek) {

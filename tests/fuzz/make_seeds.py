@@ -110,7 +110,7 @@ def calls(workcell):
         "snapshot_load": {"snapshot": saved_cell(workcell)}, "line_disconnect": {"line": 1},
         "fault_set": {"fault": {"name": "a", "kind": "byte_flipped", "line": "any", "direction": "out", "bit": 3,
                                 "probability": 0.01, "from_tick": 5, "count": 7}, "seed": 3},
-        "fault_clear": {"name": "a"}, "trace": {"tick": 5, "epoch": 0, "every": 20, "fields": ["joints"]},
+        "fault_clear": {"name": "a"}, "trace": {"tick": 5, "epoch": 0, "every": 20},
         "describe": {"fn": "step"},
     }
 

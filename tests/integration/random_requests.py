@@ -64,7 +64,7 @@ class Asker:
                                                  {"snapshot": self.chance.choice(self.snapshots)}),
             "fault_set": lambda: {"fault": self.fault(), **self.maybe(seed=count(0, 9))},
             "fault_clear": lambda: self.maybe(name=self.one_of("a", "b", "c")),
-            "trace": lambda: {"tick": count(0, 20000), **self.maybe(epoch=count(0, 3), every=count(5, 500), fields=self.fields())},
+            "trace": lambda: {"tick": count(0, 20000), **self.maybe(epoch=count(0, 3), every=count(5, 500))},
             "line_disconnect": lambda: {"line": count(0, 5)},
             "key": lambda: {"function": self.chance.choice(FUNCTIONS),
                             **self.maybe(value=self.one_of(3, [1, 2, 3], [0, 0, 0], 300))},

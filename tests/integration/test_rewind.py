@@ -88,15 +88,15 @@ class Rewind(unittest.TestCase):
             line.send("E+60\r")
             monitor.step(300, after=line)
             monitor.call("step", ticks=20_000)
-            value = monitor.call("trace", tick=0, every=50, fields=["joints"])
+            value = monitor.call("trace", tick=0, every=50)
             states = value["states"]
             self.assertEqual((0, None), (value["epoch"], value["next"]))
             self.assertEqual([0, 50, 100], [state["tick"] for state in states[:3]])
             self.assertEqual(20_300, states[-1]["tick"])
             self.assertLess(len(states), 100)
-            self.assertEqual({"joints"}, set(states[0]["state"]))
+            self.assertEqual({"tick", "joints", "tool"}, set(states[0]))
             frames, _ = self.look(monitor, tick=100)
-            self.assertEqual(frames["state"]["joints"], states[2]["state"]["joints"])
+            self.assertEqual(frames["state"]["joints"], states[2]["joints"])
             self.assertEqual("not_kept", self.refused(monitor, "trace", tick=30_000).code)
 
     def test_a_long_trace_takes_several_calls(self):
@@ -106,11 +106,11 @@ class Rewind(unittest.TestCase):
                 monitor.step(5000, after=line)
             ticks, tick = [], 0
             while tick is not None:
-                value = monitor.call("trace", tick=tick, every=10, fields=[])
+                value = monitor.call("trace", tick=tick, every=10)
                 ticks += [state["tick"] for state in value["states"]]
                 self.assertTrue(value["next"] is None or value["next"] > tick)
                 tick = value["next"]
-            self.assertEqual(sorted(ticks), ticks)
+            self.assertEqual(sorted(set(ticks)), ticks)
             self.assertEqual((0, 50_000), (ticks[0], ticks[-1]))
 
     def test_without_history(self):

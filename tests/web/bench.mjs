@@ -159,6 +159,14 @@ export async function withPage(options, act, { picture = true, ...pageOptions } 
   }
 }
 
+/** A point in mm as a place on the page, px. */
+export const inPage = (page, xyz) => page.evaluate(([x, y, z]) => {
+  const { scene } = window.xr3;
+  const box = document.querySelector("#solid").getBoundingClientRect();
+  const seen = scene.ball.mesh.position.clone().set(x, y, z).project(scene.eye.camera);
+  return { x: box.left + ((seen.x + 1) / 2) * box.width, y: box.top + ((1 - seen.y) / 2) * box.height };
+}, xyz);
+
 /** Opens the drawer "As in 1989", where plain keys are functions of command mode. */
 export async function openOld(page) {
   await page.click("#more-button");

@@ -45,10 +45,9 @@ CallValue read_look(ArgsReader& args) {
 }
 
 CallValue read_trace(ArgsReader& args) {
-  Trace trace{read_past_time(args), 0, {}};
+  Trace trace{read_past_time(args), 0};
   trace.every =
       args.integer("every", kMinEvery, kMaxEvery, Presence::kOptional).value_or(kUsualEvery);
-  trace.fields = args.fields("fields", Channel::kState);
   return trace;
 }
 
@@ -60,7 +59,7 @@ constexpr CallForm kPastCalls[] = {
     {"history", "Gives the times that can be seen again, and their events.",
      read_nothing<ReadHistory>},
     {"look", "Shows a time of the past to this client only.", read_look},
-    {"trace", "Gives states of the past, one every so many ticks.", read_trace},
+    {"trace", "Gives joints and tool in the past, one state every so many ticks.", read_trace},
     {"live", "Ends look: this client sees the present again.", read_nothing<Live>},
     {"seek", "Takes the cell back to a time of its past, where it waits for resume.", read_seek},
     {"branch", "Opens a new cell that goes on from a time of this one's past.", read_branch},

@@ -218,15 +218,12 @@ TEST(MonitorCalls, ParsesFaults) {
   EXPECT_EQ(look.selections[1].encoding, Encoding::kRle);
   const Look twice = other_of<Look>("look", R"({"tick":5,"channels":["image","image"]})");
   EXPECT_EQ(twice.selections.size(), 1U) << "an image is sent once";
-  const Trace trace =
-      other_of<Trace>("trace", R"({"tick":5,"epoch":2,"every":20,"fields":["joints"]})");
+  const Trace trace = other_of<Trace>("trace", R"({"tick":5,"epoch":2,"every":20})");
   EXPECT_EQ(trace.from.tick, 5);
   EXPECT_EQ(trace.from.epoch, 2);
   EXPECT_EQ(trace.every, 20);
-  EXPECT_EQ(trace.fields, Fields{{"joints"}});
   EXPECT_EQ(other_of<Trace>("trace", R"({"tick":5})").every, 100);
-  EXPECT_EQ(wrong_in("trace", R"({"every":9,"fields":[1]})"),
-            (Pointers{"/args/tick", "/args/every", "/args/fields/0"}));
+  EXPECT_EQ(wrong_in("trace", R"({"every":9})"), (Pointers{"/args/tick", "/args/every"}));
   EXPECT_EQ(other_of<Seek>("seek", R"({"tick":7})").at.tick, 7);
   EXPECT_EQ(other_of<Seek>("seek", R"({"tick":7})").at.epoch, std::nullopt);
   EXPECT_EQ(other_of<Branch>("branch", R"({"tick":7,"epoch":1})").at.epoch, 1);

@@ -1,19 +1,13 @@
 // A block that is clicked in the picture: its card, and what the arm does with it.
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
-import { close, withPage } from "../bench.mjs";
+import { close, inPage, withPage } from "../bench.mjs";
 
 after(close);
 
 /** Clicks a block in the picture. */
 async function click(page, name) {
-  const at = await page.evaluate((wanted) => {
-    const { scene } = window.xr3;
-    const box = document.querySelector("#solid").getBoundingClientRect();
-    const [x, y, z] = scene.blockDrawn(wanted);
-    const seen = scene.ball.mesh.position.clone().set(x, y, z).project(scene.eye.camera);
-    return { x: box.left + ((seen.x + 1) / 2) * box.width, y: box.top + ((1 - seen.y) / 2) * box.height };
-  }, name);
+  const at = await inPage(page, await page.evaluate((wanted) => window.xr3.blockDrawn(wanted), name));
   await page.mouse.click(at.x, at.y);
   await page.waitForSelector(`#block-card:has-text('${name}')`);
 }
@@ -48,17 +42,6 @@ test("the place under the pointer is shown in millimetres, with the name of a bl
     assert.match(await page.textContent("#reads"), /^x 3\d\d y -\d+ z \d+ mm · blue$/);
   }));
 
-/** Clicks a point of the table, mm. */
-async function clickTable(page, [x, y]) {
-  const at = await page.evaluate(([px, py]) => {
-    const { scene } = window.xr3;
-    const box = document.querySelector("#solid").getBoundingClientRect();
-    const seen = scene.ball.mesh.position.clone().set(px, py, 0).project(scene.eye.camera);
-    return { x: box.left + ((seen.x + 1) / 2) * box.width, y: box.top + ((1 - seen.y) / 2) * box.height };
-  }, [x, y]);
-  await page.mouse.click(at.x, at.y);
-}
-
 const blockIn = async (server, wanted) => (await server.state()).blocks.find(({ name }) => name === wanted);
 
 test("a held block is put down where the table is clicked, and the hand goes up", () =>
@@ -67,7 +50,8 @@ test("a held block is put down where the table is clicked, and the hand goes up"
     await page.click("#block-card button:has-text('Pick it up')");
     await page.waitForFunction(() => window.xr3.isIdle() && window.xr3.known.state.tool.holding === "red");
     assert.ok(await page.isHidden("#block-card button:has-text('Pick it up')"));
-    await clickTable(page, [300, -180]);
+    const there = await inPage(page, [300, -180, 0]);
+    await page.mouse.click(there.x, there.y);
     await page.click("#block-card button:has-text('Put it at x')");
     await page.waitForFunction(() => window.xr3.isIdle() && window.xr3.known.state.tool.holding === null && !window.xr3.known.state.moving);
     const { xyz_mm: [x, y, z] } = await blockIn(server, "red");

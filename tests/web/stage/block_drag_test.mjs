@@ -1,17 +1,9 @@
 // A block that is dragged on the table in the picture.
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
-import { close, withPage } from "../bench.mjs";
+import { close, inPage, withPage } from "../bench.mjs";
 
 after(close);
-
-/** A point in mm as a place on the page, px. */
-const inPage = (page, xyz) => page.evaluate(([x, y, z]) => {
-  const { scene } = window.xr3;
-  const box = document.querySelector("#solid").getBoundingClientRect();
-  const seen = scene.ball.mesh.position.clone().set(x, y, z).project(scene.eye.camera);
-  return { x: box.left + ((seen.x + 1) / 2) * box.width, y: box.top + ((1 - seen.y) / 2) * box.height };
-}, xyz);
 
 const placeOf = async (server, wanted) => (await server.state()).blocks.find(({ name }) => name === wanted).xyz_mm;
 

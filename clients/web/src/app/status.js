@@ -45,7 +45,7 @@ function lost({ connection, heardS, retryS }) {
   };
 }
 
-/** What the robot does while the page looks at the past. @param {any} state */
+/** A sentence on the present of the robot while the page looks at the past. @param {any} state */
 const meanwhile = ({ clock }) =>
   (clock.past ? "The robot stays where it was taken back to." : clock.mode === "manual" ? "The robot’s time stands still." : "The robot goes on meanwhile.");
 

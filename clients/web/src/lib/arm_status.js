@@ -1,5 +1,5 @@
 // @ts-check
-// What an arm does, in the words of the page: stalled, moving or ready.
+// The status of an arm in words: stalled, moving or ready.
 
 const kStalls = /** @type {Record<string, string>} */ ({
   protected_region: "the tip would enter the space around the base.",

@@ -1,5 +1,5 @@
 // @ts-check
-// The move that the page proposes to whoever has sent nothing yet: of the second joint, the shoulder of most arms, or of the only one.
+// The first move that the page proposes: of the second joint, which is the shoulder of most arms, or of the only one.
 import { motorFiles, unitOf, valuesOf } from "./motors.js";
 
 const kCounts = 50;

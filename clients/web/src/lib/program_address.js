@@ -1,7 +1,7 @@
 // @ts-check
 // Where programs connect to the robot, as text.
 
-/** @typedef {number | null} Port null: this page does not know it */
+/** @typedef {number | null} Port of the robot; null if the page may not know it */
 
 /** The host by which this page was opened. */
 const host = () => location.hostname.replace(/^\[|\]$/g, ""); // an IPv6 address has brackets

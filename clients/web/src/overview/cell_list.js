@@ -12,7 +12,7 @@ import { armStatus, stallText } from "../lib/arm_status.js";
 const collator = new Intl.Collator("en", { numeric: true });
 /** @param {Known} a @param {Known} b */
 const byName = (a, b) => collator.compare(a.name, b.name);
-/** What needs a look first: stalled robots, then those that move. @param {Cell} cell */
+/** The place in the order by activity: stalled robots first, then those that move. @param {Cell} cell */
 const rank = ({ stalled, moving }) => (stalled ? 2 : 0) + (moving ? 1 : 0);
 /** @param {Cell} cell */
 const lastInput = ({ last_input_tick: tick }) => tick ?? -1;
@@ -73,13 +73,13 @@ export class CellList {
   }
 }
 
-/** What a search looks at. @param {Cell} cell */
+/** The text in which a search looks. @param {Cell} cell */
 const textOf = (cell) => [cell.name, cell.robot, cell.peer ?? "", cell.robot_port ?? "", armStatus(cell).word, ...notesOf(cell)].join(" ").toLowerCase();
 
 /** @param {string} text */
 const asSentence = (text) => text[0].toUpperCase() + text.slice(1);
 
-/** What is to be said about a robot beside its status, as sentences. @param {Cell} cell */
+/** Sentences about a robot, beside its status. @param {Cell} cell */
 export const notesOf = ({ stalled, holding, recording_failed: isUnrecorded }) => [
   ...(stalled ? [asSentence(stallText(stalled))] : []), ...(isUnrecorded ? ["Recording ended."] : []), ...(holding !== null ? [`Holds ${holding}.`] : []),
 ];

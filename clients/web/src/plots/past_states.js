@@ -15,8 +15,8 @@ export async function pastStates(call) {
   const kept = epochs.find((/** @type {{epoch: number}} */ each) => each.epoch === epoch);
   const found = /** @type {Moment[]} */ ([]);
   for (let tick = kept ? Math.max(kept.from, now - kMostTicks) : null; tick !== null && tick < now;) {
-    const { states, next } = await call("trace", { epoch, tick, every: kEveryTicks, fields: ["joints", "tool"] });
-    for (const each of states) found.push({ ...each.state, epoch, tick: each.tick });
+    const { states, next } = await call("trace", { epoch, tick, every: kEveryTicks });
+    for (const each of states) found.push({ ...each, epoch });
     tick = next;
   }
   return found;

@@ -2,7 +2,7 @@
 // Finds the block or the point of the table under the pointer. Lengths in mm.
 import * as THREE from "three";
 
-const kClickPx = 5; // a pointer that moves less clicks
+export const kClickPx = 5; // a pointer that moves less clicks
 
 /** @typedef {{name: string | null, xyz_mm: number[]}} Spot on a block, or with null on the table */
 

@@ -2,14 +2,13 @@
 // Drags a block on the table in the picture; a pointer that does not move clicks it. The label says where it would stand, or why it may
 // not. Escape cancels. Lengths in mm.
 import { el, setText } from "../lib/dom.js";
+import { kClickPx } from "../scene/picking.js";
 
 /**
  * @typedef {{refusalAt: (name: string, xyz: number[]) => string | null, within: (xyz: number[]) => number[],
  *   place: (name: string, change: {xyz_mm: number[]}) => Promise<boolean>}} Workcell
  * @typedef {{name: string, from: number[], grabbed: number[], at: number[], isMoved: boolean, down: PointerEvent}} Drag
  */
-
-const kClickPx = 5; // a pointer that moves less clicks
 
 export class BlockDrag {
   /**
