@@ -130,12 +130,17 @@ for (const viewport of kSizes) {
 }
 
 /**
- * Asserts that elements lie within the page's width, and its height if the page does not scroll.
+ * Asserts that elements lie within the page's width, and its height if the page does not scroll; on a phone a row of tools scrolls to them.
  */
 async function inSight(page, selector) {
   const cutOff = await page.evaluate((wanted) => {
     const bottom = getComputedStyle(document.body).overflowY === "hidden" ? innerHeight : Infinity;
-    return [...document.querySelectorAll(wanted)].map((each) => [each.id || each.textContent, each.getBoundingClientRect()])
+    const scroll = (each) => {
+      const row = each.closest(".strip, .bar");
+      if (row && getComputedStyle(row).overflowX === "auto") row.scrollLeft += each.getBoundingClientRect().left - row.getBoundingClientRect().left;
+      return each;
+    };
+    return [...document.querySelectorAll(wanted)].map((each) => [each.id || each.textContent, scroll(each).getBoundingClientRect()])
       .filter(([, box]) => box.left < 0 || box.right > innerWidth || box.bottom > bottom || box.width === 0).map(([name, box]) => `${name} ${JSON.stringify(box)}`);
   }, selector);
   assert.deepEqual(cutOff, []);
