@@ -137,7 +137,7 @@ async function inSight(page, selector) {
     const bottom = getComputedStyle(document.body).overflowY === "hidden" ? innerHeight : Infinity;
     const scroll = (each) => {
       const row = each.closest(".strip, .bar");
-      if (row && getComputedStyle(row).overflowX === "auto") row.scrollLeft += each.getBoundingClientRect().left - row.getBoundingClientRect().left;
+      if (row && getComputedStyle(row).overflowX === "auto") row.scrollLeft += each.getBoundingClientRect().left - row.getBoundingClientRect().left - 8;
       return each;
     };
     return [...document.querySelectorAll(wanted)].map((each) => [each.id || each.textContent, scroll(each).getBoundingClientRect()])
