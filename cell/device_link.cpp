@@ -87,7 +87,9 @@ void DeviceLink::send_next(Tick now) {
   while (!asked_ && !queues_.empty() && outbox_.size() < kFullOutbox) {
     const QueuedCommand next = take_next();
     send(next.encoded.bytes, now);
-    if (next.encoded.is_inquiry) asked_ = PendingInquiry{next.line, next.command};
+    if (!next.encoded.is_inquiry) continue;
+    asked_ = PendingInquiry{next.line, next.command};
+    asked_until_ = first_tick_after(busy_until_us_) + kPatience;
   }
 }
 
@@ -107,8 +109,7 @@ std::optional<DeviceLink::PendingInquiry> DeviceLink::receive(Tick now) {
 }
 
 std::optional<Tick> DeviceLink::deadline() const {
-  if (!asked_) return std::nullopt;
-  return first_tick_after(busy_until_us_) + kPatience;
+  return asked_ ? std::optional(asked_until_) : std::nullopt;
 }
 
 std::optional<DeviceLink::PendingInquiry> DeviceLink::expire(Tick now) {
@@ -120,13 +121,14 @@ std::optional<DeviceLink::PendingInquiry> DeviceLink::expire(Tick now) {
 }
 
 // An inquiry is the last of the outbox. If it has left, its reply may come: it must not be taken
-// for that of the next inquiry.
+// for that of the next inquiry. Further stops do not let it wait longer.
 void DeviceLink::stop(Tick now) {
   ++stops_;
   const auto answered_later = outbox_.empty() ? asked_ : std::nullopt;
   drop();
   asked_ = answered_later;
   if (is_open_) send(stop_all_joints(), now);
+  asked_until_ = std::min(asked_until_, first_tick_after(busy_until_us_) + kPatience);
 }
 
 void DeviceLink::forget(LineId line) {
@@ -147,6 +149,9 @@ void DeviceLink::write_state(StateWriter& out) const {
   out.add(is_open_, is_engaged_, switches_, stops_, last_served_, outbox_, busy_until_us_,
           bytes_in_, bytes_out_, asked_.has_value(), queues_.size());
   if (asked_) out.add(asked_->line, for_device(asked_->command)->bytes);
+  const bool is_before_a_stop =
+      asked_ && asked_until_ != first_tick_after(busy_until_us_) + kPatience;
+  if (is_before_a_stop) out.add(asked_until_);
   for (const auto& [line, queue] : queues_) {
     out.add(line, queue.commands.size());
     for (const QueuedCommand& each : queue.commands) out.add(each.line, each.encoded.bytes);

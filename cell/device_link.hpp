@@ -130,6 +130,7 @@ class DeviceLink {
   LineId last_served_ = 0;
   std::vector<LineId> woken_;
   std::optional<PendingInquiry> asked_;
+  Tick asked_until_ = 0;  ///< then asked_ is forgotten
   std::string outbox_;
   Micros busy_until_us_ = 0;  ///< when the last bit of all bytes so far has left
   std::uint64_t bytes_in_ = 0;

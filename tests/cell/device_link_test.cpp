@@ -152,6 +152,22 @@ TEST_F(DeviceLinkTest, AStopKeepsAnInquiryThatHasLeft) {
   EXPECT_EQ(answer(), kTwo);
 }
 
+TEST_F(DeviceLinkTest, RepeatedStopsDoNotKeepALostInquiry) {
+  link_.add(kOne, kAskE, now_);
+  EXPECT_EQ(leaving(), "E?");
+  const std::optional<Tick> deadline = link_.deadline();
+  for (int i = 0; i < 20; ++i) {
+    now_ += 50;
+    link_.stop(now_);
+    leaving();
+    if (now_ < *deadline) {
+      EXPECT_EQ(link_.deadline(), deadline);
+    }
+    const auto silent = link_.expire(now_);
+    EXPECT_EQ(silent.has_value(), now_ - 50 < *deadline && now_ >= *deadline);
+  }
+}
+
 TEST_F(DeviceLinkTest, AnAbsentDeviceGetsNothing) {
   link_.add(kOne, kAskE, now_);
   link_.add(kTwo, kMoveE, now_);
