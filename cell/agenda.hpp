@@ -39,6 +39,8 @@ class Agenda {
     for (const Direction each : {Direction::kIn, Direction::kOut}) set(line, each, std::nullopt);
   }
 
+  bool operator==(const Agenda&) const = default;
+
  private:
   std::set<Due> dues_;
   std::map<std::pair<LineId, Direction>, Micros> moments_;  ///< of dues_

@@ -56,6 +56,8 @@ class ByteClock {
   /// A new epoch: nothing is owed, and the remainder is 0.
   void restart();
 
+  bool operator==(const ByteClock&) const = default;
+
  private:
   static constexpr Micros kMicrosPerMs = 1'000;
 

@@ -21,6 +21,7 @@ using monitor::kChannels;
 struct ChannelCounters {
   std::uint64_t sent = 0;
   std::uint64_t overwritten = 0;  ///< before they were sent: in a client's slot, or in the ring
+  bool operator==(const ChannelCounters&) const = default;
 };
 
 /// Connections that a port did not serve.
@@ -35,6 +36,7 @@ struct PortCounters {
     other_peers += more.other_peers;
     return *this;
   }
+  bool operator==(const PortCounters&) const = default;
 };
 
 struct CellCounters {
@@ -76,6 +78,7 @@ struct CellCounters {
   ChannelCounters& of(monitor::Channel channel) {
     return channels[static_cast<std::size_t>(channel)];
   }
+  bool operator==(const CellCounters&) const = default;
 };
 
 }  // namespace xr3

@@ -1,139 +1,143 @@
-// The inputs of a cell that concern the physical controller.
+#include "cell/device.hpp"
+
 #include <cassert>
 #include <cstdlib>
+#include <string>
 #include <utility>
+#include <vector>
 
-#include "cell/cell.hpp"
+#include "cell/events.hpp"
+#include "cell/reply.hpp"
 #include "protocol/explain/diagnostic.hpp"
 
 namespace xr3 {
+namespace {
 
-void Cell::connect_device(std::string path, const SerialSettings& settings, bool is_mirrored) {
-  assert(!device_ && lines_.empty() && !line_speed_);
-  assert(clock_.mode() == ClockMode::kReal && clock_.rate() == Rate{});
-  device_.emplace(std::move(path), settings, is_mirrored);
-  if (is_mirrored) mirror_.emplace();
+// A port of 7 data bits would make another character of it.
+constexpr std::uint8_t kFirstByteOf8Bits = 0x80;
+
+/// The simulation carries out a command, too. The reply is discarded: that of the device counts,
+/// and the commands that only the simulator has are not answered by a physical controller.
+void imitate(CellState& cell, const Command& command, Exchange& exchange) {
+  cell.machine.execute(command);
+  exchange.events = cell.machine.take_events();
 }
 
-void Cell::emit_device(DeviceNews news, DeviceNote note) {
-  note.news = news;
-  note.path = device_->path();
-  emit(std::nullopt, std::move(note));
+void execute(CellState& cell, const SerialLine& line, Exchange& exchange, std::uint8_t byte) {
+  DeviceLink& device = *cell.device;
+  auto& what = exchange.parsed.what;
+  const Command* command = std::get_if<Command>(&what);
+  if (command != nullptr && std::holds_alternative<ToggleSimulator>(*command)) {
+    imitate(cell, *command, exchange);
+    device.engage(false);
+  } else if (command != nullptr && for_device(*command)) {
+    exchange.is_for_device = true;
+    device.add(line.id(), *command, cell.tick());
+    if (device.is_mirrored()) imitate(cell, *command, exchange);
+  } else if (command != nullptr && device.is_mirrored()) {
+    imitate(cell, *command, exchange);
+  } else if (command != nullptr || byte >= kFirstByteOf8Bits) {
+    what = Problem{ProblemCode::kNotForDevice, Subject::kNone};
+  }
 }
 
-/// The machine does not know that commands go to a device while it is disabled.
-CellNote Cell::note_of(EventBody event) const {
-  const auto* changed = std::get_if<EnabledChanged>(&event);
-  if (!device_ || changed == nullptr) return event;
-  return HandoverNote{changed->enabled, device_->path(), device_->is_open(),
-                      device_->is_mirrored()};
+/// Sends a reply of the device to the line that asked.
+void deliver(CellState& cell, SerialLine& line, std::uint8_t reply, const Command& inquiry,
+             CellOutput& out) {
+  const char byte = static_cast<char>(reply);
+  const OutputMark before = mark_output(line);
+  out.talk.clear();
+  pass_on(cell, line, {&byte, 1}, wire::FromDevice{inquiry, reply}, 0, out);
+  record_output(cell, line, before, out);
+  out.woken.push_back(line.id());
 }
 
-void Cell::handle(const DeviceOpened&, WallNs) {
-  assert(device_);
-  device_->set_open(true, state().tick);
-  emit_device(DeviceNews::kOpened);
+void compare_mirror(CellState& cell, const Command& inquiry, std::uint8_t reply, CellOutput& out) {
+  const auto* error = std::get_if<QueryError>(&inquiry);
+  if (!cell.mirror || error == nullptr || reply < ' ') return;
+  const int index = cell.model().index_of(error->label);
+  if (index < 0) return;
+  const int simulated = std::abs(static_cast<int>(cell.state().motor(index).error));
+  const Mirror::JointReading reading{reply - ' ', simulated};
+  if (!cell.mirror->differs(error->label, reading, cell.tick())) return;
+  DeviceNote note;
+  note.why = std::string(1, error->label) + " has " + std::to_string(reading.device) +
+             " counts to go there and " + std::to_string(reading.simulation) + " in the simulation";
+  emit_device(cell, DeviceNews::kMirrorDifference, std::move(note), out);
 }
 
-void Cell::handle(const DeviceLost& lost, WallNs) {
-  assert(device_);
-  device_->set_open(false, state().tick);
+}  // namespace
+
+// Commands that were unfinished when the simulator was switched must not be completed afterwards.
+bool act_on_device(CellState& cell, SerialLine& line, const ReceivedByte& in, CellOutput& out) {
+  assert(cell.device);
+  line.drop_unfinished(cell.device->switches());
+  if (!cell.device->is_engaged()) return false;
+  std::vector<Parsed> parsed;
+  line.device_parser().feed(in.byte, in.offset, parsed);
+  for (Parsed& item : parsed)
+    execute(cell, line, out.talk.exchanges.emplace_back(std::move(item)), in.byte);
+  return true;
+}
+
+void open_device(CellState& cell, CellOutput& out) {
+  assert(cell.device);
+  cell.device->set_open(true, cell.tick());
+  emit_device(cell, DeviceNews::kOpened, {}, out);
+}
+
+void lose_device(CellState& cell, const DeviceLost& lost, CellOutput& out) {
+  assert(cell.device);
+  cell.device->set_open(false, cell.tick());
   DeviceNote note;
   note.why = lost.why;
-  emit_device(DeviceNews::kLost, std::move(note));
+  emit_device(cell, DeviceNews::kLost, std::move(note), out);
 }
 
-void Cell::handle(const DeviceIn& in, WallNs) {
-  assert(device_);
+void receive_from_device(CellState& cell, const DeviceIn& in, CellOutput& out) {
+  assert(cell.device);
   DeviceNote unasked;
   for (const char byte : in.bytes) {
     const auto reply = static_cast<std::uint8_t>(byte);
-    const auto asked = device_->receive(state().tick);
-    if (asked) compare_mirror(asked->command, reply);
+    const auto asked = cell.device->receive(cell.tick());
+    if (asked) compare_mirror(cell, asked->command, reply, out);
     if (!asked) {
       unasked.raw.push(reply);
       ++unasked.count;
     } else if (asked->line) {
-      deliver(*asked->line, reply, asked->command);
+      deliver(cell, *cell.find_line(*asked->line), reply, asked->command, out);
     }
   }
-  if (unasked.count > 0) emit_device(DeviceNews::kUnasked, std::move(unasked));
+  if (unasked.count > 0) emit_device(cell, DeviceNews::kUnasked, std::move(unasked), out);
 }
 
-void Cell::handle(const DeviceOut& out, WallNs) {
-  assert(device_);
-  device_->sent(out.count, state().tick);
-}
-
-void Cell::deliver(LineId id, std::uint8_t reply, const Command& inquiry) {
-  SerialLine* line = open_line(id);
-  assert(line != nullptr);
-  const WirePlace out{epoch_, state().tick, id, line->output_end()};
-  const std::size_t unsent = line->outbox().size();
-  exchanges_.clear();
-  line->deliver(reply, inquiry);
-  record_out(out, *line, unsent);
-  woken_.push_back(id);
-}
-
-void Cell::expire_inquiries() {
-  while (const auto silent = device_->expire(state().tick)) {
-    for (InputLog* log : logs_) log->expired(*this);
+void expire_inquiries(CellState& cell, CellOutput& out) {
+  while (const auto silent = cell.device->expire(cell.tick())) {
+    out.silences.push_back(cell.tick());
     if (!silent->line) continue;
-    open_line(*silent->line)->note_warning();
-    emit(*silent->line, silent_note(silent->command));
+    cell.find_line(*silent->line)->note_warning();
+    emit(cell, *silent->line, silent_note(silent->command), out);
   }
 }
 
-call::Outcome Cell::carry_out(const call::StopDevice&, WallNs) {
-  if (!device_)
-    return call::Refused{"no_device", "no device is connected",
-                         "start the server with --serial DEVICE"};
-  if (!device_->is_open())
-    return call::Refused{"no_device", "device " + device_->path() + " is not there",
-                         "stop the arm by its own switch"};
-  device_->stop(state().tick);
-  if (mirror_ && device_->is_engaged()) {
-    for (const char label : model().labels()) simulation_.execute(Stop{label});
-  }
-  emit_device(DeviceNews::kStopped);
-  return call::Done{};
+void emit_device(CellState& cell, DeviceNews news, DeviceNote note, CellOutput& out) {
+  note.news = news;
+  note.path = cell.device->path();
+  emit(cell, std::nullopt, std::move(note), out);
 }
 
-// --- The simulation beside the device.
-
-void Cell::compare_mirror(const Command& inquiry, std::uint8_t reply) {
-  const auto* error = std::get_if<QueryError>(&inquiry);
-  if (!mirror_ || error == nullptr || reply < ' ') return;
-  const int index = model().index_of(error->label);
-  if (index < 0) return;
-  const int simulated = std::abs(static_cast<int>(state().motor(index).error));
-  const Mirror::JointReading reading{reply - ' ', simulated};
-  if (!mirror_->differs(error->label, reading, state().tick)) return;
-  DeviceNote note;
-  note.why = std::string(1, error->label) + " has " + std::to_string(reading.device) +
-             " counts to go there and " + std::to_string(reading.simulation) + " in the simulation";
-  emit_device(DeviceNews::kMirrorDifference, std::move(note));
+CellNote note_of(const CellState& cell, EventBody event) {
+  const auto* changed = std::get_if<EnabledChanged>(&event);
+  if (!cell.device || changed == nullptr) return event;
+  return HandoverNote{changed->enabled, cell.device->path(), cell.device->is_open(),
+                      cell.device->is_mirrored()};
 }
 
-/// Whether the simulation stops where the arm goes on, for the first time. Jaws that close on a
-/// block do so in both.
-bool Cell::loses_mirror(const EventBody& event) {
-  if (!mirror_ || !device_->is_engaged()) return false;
+bool loses_mirror(CellState& cell, const EventBody& event) {
+  if (!cell.mirror || !cell.device->is_engaged()) return false;
   const auto* blocked = std::get_if<MotorBlocked>(&event);
   const bool is_at_limit = blocked != nullptr && blocked->why == Blocked::kLimit;
-  return (is_at_limit || std::holds_alternative<Stalled>(event)) && mirror_->lose();
-}
-
-call::Outcome Cell::carry_out(const call::AlignMirror&, WallNs) {
-  if (!mirror_)
-    return call::Refused{"no_device", "there is no mirrored device",
-                         "start the server with --serial DEVICE --mirror"};
-  simulation_.execute(SoftHome{});
-  mirror_->align();
-  emit_time_events();
-  emit_device(DeviceNews::kMirrorAligned);
-  return call::Done{};
+  return (is_at_limit || std::holds_alternative<Stalled>(event)) && cell.mirror->lose();
 }
 
 }  // namespace xr3

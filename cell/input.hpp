@@ -1,18 +1,18 @@
 // The inputs of a cell, as values: lines that open and close, their bytes, and calls of the
-// monitor. Sessions create them; only Cell::apply accepts them. Those that a recording holds as
+// monitor. Sessions create them; only apply() accepts them. Those that a recording holds as
 // they are stand in protocol/recording/entry.hpp.
 #pragma once
 
 #include <compare>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
 
-#include "cell/serial_line.hpp"
 #include "core/model.hpp"
+#include "protocol/explain/cell_event.hpp"
+#include "protocol/line/line_guard.hpp"
 #include "protocol/monitor/call.hpp"
 #include "protocol/recording/entry.hpp"
 
@@ -27,9 +27,6 @@ struct LineOpened {
 struct BytesIn {
   LineId line = 0;
   std::string_view bytes;
-  /// Called between pieces of kMaxShownIn bytes, with the byte clock between commands; if true, the
-  /// remaining bytes are not taken. May be empty.
-  std::function<bool()> is_enough = {};
 };
 
 /// The physical controller has sent bytes. Precondition of this and the other inputs of the device:
@@ -53,7 +50,7 @@ struct ReplayTime {
 };
 
 /// The cell is taken back to a state of its past, with the same robot and profile: see
-/// Cell::is_in_past(). Precondition: it has no device.
+/// take_back(). Precondition: it has no device.
 struct Rewind {
   MachineSnapshotPtr past;
   ReplayTime from{};  ///< the time of that state, for the history
@@ -66,15 +63,15 @@ struct RecordingFailed {
   std::string why;   ///< begins with the path
 };
 
-using Input = std::variant<LineOpened, LineSettings, BytesIn, InputEnded, LineClosed, LineSilent,
-                           DeviceOpened, DeviceLost, DeviceIn, DeviceOut, Rewind, RecordingFailed,
-                           call::Call>;
-
-/// The transport has sent bytes of the line's outbox. It is no input: time does not advance for it.
+/// The transport has sent bytes of the line's outbox. Time does not advance for it.
 struct BytesOut {
   LineId line = 0;
   std::size_t count = 0;
 };
+
+using Input = std::variant<LineOpened, LineSettings, BytesIn, BytesOut, InputEnded, LineClosed,
+                           LineSilent, DeviceOpened, DeviceLost, DeviceIn, DeviceOut, Rewind,
+                           RecordingFailed, call::Call>;
 
 /// The line of an input of an open line; nullopt for others.
 std::optional<LineId> line_of(const Input& input);

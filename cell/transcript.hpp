@@ -60,6 +60,8 @@ class Transcript {
 
   TranscriptSummary summary() const;
 
+  bool operator==(const Transcript&) const = default;
+
  private:
   /// The bytes of one line so far.
   class OneLine {
@@ -67,6 +69,7 @@ class Transcript {
     explicit OneLine(std::uint64_t number) : number_(number) {}
     void add(Tick tick, bool is_out, std::string_view bytes);
     std::string digest() const;
+    bool operator==(const OneLine&) const = default;
 
    private:
     void put(std::uint64_t number);

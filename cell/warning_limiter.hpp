@@ -37,12 +37,15 @@ class WarningLimiter {
   /// Removes a line that closes, or whose epoch ends; returns its pending notes.
   std::vector<CellNote> forget(LineId line);
 
+  bool operator==(const WarningLimiter&) const = default;
+
  private:
   struct PerLine {
     std::optional<ProblemNote> run;
     Tick second = -1;
     int notes = 0;
     int left_out = 0;
+    bool operator==(const PerLine&) const = default;
   };
 
   std::vector<CellNote> begin_second(PerLine& line, Tick tick);

@@ -56,6 +56,8 @@ class SimClock {
   /// Sets the current tick: after a step, after bytes, or in a new epoch.
   void set_tick(Tick tick, WallNs now);
 
+  bool operator==(const SimClock&) const = default;
+
  private:
   SimClock(ClockMode mode, Rate rate, WallNs now, Tick tick)
       : mode_(mode),

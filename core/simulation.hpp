@@ -116,6 +116,12 @@ class Simulation {
     take_over_workcell(*model_, edit(), events_);
   }
 
+  /// Whether model and state are equal.
+  bool operator==(const Simulation& other) const {
+    return state_ == other.state_ && is_same_machine(*other.model_) &&
+           model_->workcell() == other.model_->workcell();
+  }
+
   /// Removes and returns the events since the last call, in order.
   Events take_events() { return std::exchange(events_, {}); }
   const Events& events() const { return events_; }

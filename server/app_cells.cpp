@@ -185,7 +185,7 @@ std::variant<CellPtr, call::Refused> App::open_branch(HostedCell& of, MachineSna
 }
 
 CellPtr App::make_branch(const std::string& name, HostedCell& of, const MachineSnapshot& past) {
-  const FaultPlan& faults = of.cell().initial_faults();
+  const FaultPlan& faults = of.cell().value().initial_faults;
   const CellSeed seed{past.model, faults.faults.empty() ? std::nullopt : std::optional(faults)};
   CellPtr cell = make_cell(name, seed);
   cell->add_port(port_rules(std::min(kLinesPerBranch, lines_per_cell())));

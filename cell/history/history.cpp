@@ -16,7 +16,9 @@ constexpr std::size_t kMoreBytes = 4096;
 
 /// Blocks and paths that have changed and changed back are equal, but not shared: they are stored
 /// once, too.
-void share_equal(const State& last, State& state) {
+void share_equal(const Simulation& known, Simulation& machine) {
+  const State& last = known.state();
+  State& state = machine.edit();
   if (state.blocks == last.blocks) state.blocks = last.blocks;
   if (state.tip_path == last.tip_path) state.tip_path = last.tip_path;
 }
@@ -41,20 +43,22 @@ std::size_t bytes_of(const MachineSnapshot& snapshot, const ModelPtr& known) {
 
 /// The memory of the model and the snapshots of a checkpoint that the next one does not have. Those
 /// of the last one are mostly the cell's own.
-std::size_t bytes_left(const Cell::Checkpoint& checkpoint, const Cell::Checkpoint& later) {
-  std::size_t bytes = checkpoint.model == later.model ? 0 : bytes_of(*checkpoint.model);
+std::size_t bytes_left(const Rewindable& checkpoint, const Rewindable& later) {
+  std::size_t bytes = checkpoint.machine.model_ptr() == later.machine.model_ptr()
+                          ? 0
+                          : bytes_of(checkpoint.machine.model());
   for (const auto& [name, snapshot] : checkpoint.snapshots) {
     const auto found = later.snapshots.find(name);
     if (found == later.snapshots.end() || found->second != snapshot)
-      bytes += bytes_of(*snapshot, checkpoint.model);
+      bytes += bytes_of(*snapshot, checkpoint.machine.model_ptr());
   }
   return bytes;
 }
 
 /// The memory of a part, without what it shares with `neighbour`; nullptr: it has none.
 std::size_t bytes_of(const HistoryPart& part, const HistoryPart* neighbour) {
-  const State& state = part.start.state;
-  const State* other = neighbour == nullptr ? nullptr : &neighbour->start.state;
+  const State& state = part.start.machine.state();
+  const State* other = neighbour == nullptr ? nullptr : &neighbour->start.machine.state();
   const bool has_blocks = other == nullptr || !state.blocks.is_shared_with(other->blocks);
   const bool has_path =
       other == nullptr || !state.tip_path.points.is_shared_with(other->tip_path.points);
@@ -81,11 +85,11 @@ History::History(Cell& cell, Tick longest, monitor::ByteBudget& budget)
       longest_(longest),
       budget_(budget) {
   assert(longest > 0 && cell.device() == nullptr);
-  cell_.add_log(*this);
+  cell_.observe(*this);
 }
 
 History::~History() {
-  cell_.remove_log(*this);
+  cell_.end_observation(*this);
   budget_.release(*this);
 }
 
@@ -131,22 +135,24 @@ Tick History::end_of_part(const ReplayTime& time) const {
 
 // --- Inputs.
 
-void History::begin(const Cell& cell, const Input& input) {
+void History::before(const Cell& cell, const Input& input) {
+  if (std::holds_alternative<BytesOut>(input)) return Recorder::before(cell, input);
   before_ = now();
   if (before_ != last_) note_motion();  // else nothing has moved since the last input
   if (retry_in_ > 0) --retry_in_;
   if (is_checkpoint_due()) begin_part();
-  Recorder::begin(cell, input);
+  Recorder::before(cell, input);
 }
 
-void History::end(const Cell& cell, const Input& input, const Applied& applied) {
+void History::after(const Cell& cell, const Input& input, const Applied& applied) {
+  if (std::holds_alternative<BytesOut>(input)) return;
   const auto* rewind = std::get_if<Rewind>(&input);
   if (const auto* in = std::get_if<BytesIn>(&input)) {
     if (const auto read = read_of(cell, *in, applied))
       add(InputTape::TapeInput{read->at.epoch, read->at.tick, read->at.us, in->line, read->bytes,
                                read->taken, read->unsent});
   } else if (rewind == nullptr) {
-    Recorder::end(cell, input, applied);
+    Recorder::after(cell, input, applied);
   }
   note_epoch(before_);
   if (rewind != nullptr) go_back(rewind->from);
@@ -186,9 +192,8 @@ bool History::is_checkpoint_due() const {
 void History::begin_part() {
   const std::size_t line_bytes = bytes_of(cell_.lines());
   if (line_bytes > kMaxQueues) return give_up();
-  auto part = std::make_shared<HistoryPart>();
-  part->start = cell_.checkpoint();
-  if (!parts_.empty()) share_equal(parts_.back()->start.state, part->start.state);
+  auto part = std::make_shared<HistoryPart>(HistoryPart{cell_.checkpoint(), {}, 0});
+  if (!parts_.empty()) share_equal(parts_.back()->start.machine, part->start.machine);
   part->fixed_bytes = sizeof(HistoryPart) + line_bytes;
   if (epochs_.empty()) epochs_.push_back({cell_.epoch(), cell_.state().tick, 0});
   used_ += bytes_of(*part, parts_.empty() ? nullptr : parts_.back().get());

@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "cell/history/input_tape.hpp"
-#include "cell/recording/checkpoint.hpp"
 #include "cell/recording/recorder.hpp"
 #include "protocol/monitor/byte_budget.hpp"
 
@@ -20,11 +19,11 @@ namespace xr3 {
 
 /// A part of a history: what the cell was, and its inputs up to the next part.
 struct HistoryPart {
-  Cell::Checkpoint start;
+  Rewindable start;
   InputTape inputs;
   std::size_t fixed_bytes = 0;  ///< an estimate of the memory of `start`, without blocks and path
 
-  ReplayTime from() const { return {start.epoch, start.state.tick}; }
+  ReplayTime from() const { return {start.epoch, start.machine.tick()}; }
 };
 using HistoryPartPtr = std::shared_ptr<const HistoryPart>;
 
@@ -77,8 +76,8 @@ class History final : private Recorder, private monitor::ByteBudget::Account {
  private:
   using Part = std::shared_ptr<HistoryPart>;
 
-  void begin(const Cell& cell, const Input& input) override;
-  void end(const Cell& cell, const Input& input, const Applied& applied) override;
+  void before(const Cell& cell, const Input& input) override;
+  void after(const Cell& cell, const Input& input, const Applied& applied) override;
 
   std::size_t bytes() const override { return granted_; }
   void shrink() override;

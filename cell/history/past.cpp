@@ -5,8 +5,7 @@
 namespace xr3 {
 
 std::unique_ptr<Cell> cell_at_start(const recording::Header& header, const HistoryPart& part) {
-  auto cell =
-      std::make_unique<Cell>(header.cell, header.model, replay_clock(header), CellEventSink{});
+  auto cell = std::make_unique<Cell>(header.cell, header.model, replay_clock(header));
   prepare_replay(*cell, header);
   cell->restore(part.start);
   return cell;

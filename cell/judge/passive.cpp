@@ -8,7 +8,7 @@ namespace xr3 {
 
 std::vector<bool> passive_goals(const GoalList& goals, const ModelPtr& model,
                                 const std::optional<FaultPlan>& faults) {
-  Cell cell("passive", model, SimClock::manual(), {});
+  Cell cell("passive", model, SimClock::manual());
   if (faults) cell.set_faults(*faults);
   const RunObserver observer(cell, goals);
   cell.apply(Input{call::Call{call::RunUntil{std::nullopt, kRestLimit}}}, 0);

@@ -38,7 +38,7 @@ RunObserver::RunObserver(Cell& cell, const GoalList& goals)
   for (const Block& block : cell.state().blocks) start_.push_back({block.name, block.centroid_um});
   facts_.breaches.resize(goals.goals.size());
   for (std::size_t i = 0; i < goals.goals.size(); ++i) check(i, cell);
-  cell.watch(*this);
+  cell.observe(*this, Cell::Ticks::kEach);
 }
 
 RunFacts RunObserver::facts() const {
@@ -49,7 +49,11 @@ RunFacts RunObserver::facts() const {
 
 // --- Events.
 
-void RunObserver::event(const Cell&, const CellEvent& event) {
+void RunObserver::happened(const Cell&, const CellOutput& output) {
+  for (const CellEvent& event : output.events) note(event);
+}
+
+void RunObserver::note(const CellEvent& event) {
   if (const auto* problem = std::get_if<ProblemNote>(&event.note))
     return add_problem(event, problem->first_tick, static_cast<std::uint64_t>(problem->count));
   if (const auto* more = std::get_if<SuppressedNote>(&event.note))
@@ -86,7 +90,7 @@ void RunObserver::add_problem(const CellEvent& event, Tick first, std::uint64_t 
 
 // --- Ticks.
 
-void RunObserver::after_tick(const Cell& cell) {
+void RunObserver::ticked(const Cell& cell) {
   if (!has_moved(cell.state())) return;
   facts_.last_count_tick = cell.state().tick;
   const PointUm before = std::exchange(tip_, tip_of(cell));

@@ -10,11 +10,11 @@
 
 namespace xr3 {
 
-class RunObserver final : private CellWatcher {
+class RunObserver final : private CellObserver {
  public:
   /// Begins to watch. The cell and the goals must outlive the observer.
   RunObserver(Cell& cell, const GoalList& goals);
-  ~RunObserver() override { cell_.end_watch(*this); }
+  ~RunObserver() override { cell_.end_observation(*this); }
 
   /// The facts until now.
   RunFacts facts() const;
@@ -25,8 +25,9 @@ class RunObserver final : private CellWatcher {
     PointUm centroid;
   };
 
-  void event(const Cell& cell, const CellEvent& event) override;
-  void after_tick(const Cell& cell) override;
+  void happened(const Cell& cell, const CellOutput& output) override;
+  void ticked(const Cell& cell) override;
+  void note(const CellEvent& event);
   void add_problem(const CellEvent& event, Tick first, std::uint64_t count);
   void add_happening(std::string text);
   bool has_moved(const State& state);

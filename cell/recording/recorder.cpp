@@ -19,12 +19,12 @@ recording::Header recording_header(const Cell& cell, std::string program) {
   header.model = cell.model_ptr();
   header.mode = cell.clock().mode();
   header.rate = cell.clock().rate();
-  header.line_speed = cell.line_speed();
+  header.line_speed = cell.value().line_speed;
   if (const ByteClock* bytes = cell.byte_clock()) {
     header.byte_clock = bytes->settings();
     header.line_speed = bytes->speed();
   }
-  if (!(cell.initial_faults() == FaultPlan{})) header.faults = cell.initial_faults();
+  if (!(cell.value().initial_faults == FaultPlan{})) header.faults = cell.value().initial_faults;
   if (const DeviceLink* device = cell.device())
     header.device = {device->path(), device->settings(), device->is_mirrored()};
   return header;
@@ -50,6 +50,7 @@ struct Recorder::EntryMaker {
     return out.count > 0 ? MaybeBody(out) : std::nullopt;
   }
   MaybeBody operator()(const RecordingFailed&) const { return std::nullopt; }
+  MaybeBody operator()(const BytesOut&) const { return std::nullopt; }  // see note_sent()
   MaybeBody operator()(const Rewind& rewind) const {
     const MachineSnapshot& past = *rewind.past;
     return Rewound{std::make_shared<const SavedCell>(
@@ -62,9 +63,11 @@ struct Recorder::EntryMaker {
   MaybeBody operator()(const auto& same) const { return same; }
 };
 
-// --- The log of the cell.
+// --- What happens in the cell.
 
-void Recorder::begin(const Cell& cell, const Input& input) {
+void Recorder::before(const Cell& cell, const Input& input) {
+  if (const auto* sent = std::get_if<BytesOut>(&input)) return note_sent(cell, *sent);
+  is_acting_ = true;
   input_at_ = now(cell);
   if (contents_ == Contents::kAll && is_hash_due()) {
     hashed_ = input_at_;
@@ -84,7 +87,8 @@ bool Recorder::is_hash_due() const {
          input_at_.tick / kHashEvery > hashed_.tick / kHashEvery;
 }
 
-void Recorder::end(const Cell& cell, const Input& input, const Applied& applied) {
+void Recorder::after(const Cell& cell, const Input& input, const Applied& applied) {
+  is_acting_ = false;
   if (is_open_ || !line_of(input)) {
     if (auto body = std::visit(EntryMaker{*this, cell, applied}, input))
       add(input_at_, *std::move(body));
@@ -103,23 +107,31 @@ std::optional<Recorder::TakenBytes> Recorder::read_of(const Cell& cell, const By
 }
 
 /// When a paced line is full, and goes on, depends on what its transport has sent.
-void Recorder::sent(const Cell& cell, const BytesOut& out) {
+void Recorder::note_sent(const Cell& cell, const BytesOut& out) {
   const SerialLine& line = *cell.find_line(out.line);
   if (!line.is_paced()) return;
   if (out.count == 0 && !line.is_full()) return;
   add(now(cell), LineUnsent{out.line, line.outbox().size() - out.count});
 }
 
-void Recorder::output(const Cell& cell, LineId line, std::string_view bytes) {
+void Recorder::happened(const Cell& cell, const CellOutput& output) {
+  for (const Tick tick : output.silences) add({cell.epoch(), tick, 0}, DeviceSilent{});
   if (contents_ == Contents::kInputs) return;
-  const At at = now(cell);
+  output.for_each_bytes(
+      [&](const CellOutput::AddedBytes& added) { add_output(cell.epoch(), added); });
+  if (!is_acting_) add_outputs();
+}
+
+/// Bytes of a line at one tick are one entry, as far as they fit.
+void Recorder::add_output(Epoch epoch, const CellOutput::AddedBytes& added) {
+  std::string_view bytes = added.bytes;
   while (!bytes.empty()) {
     Entry* last = outputs_.empty() ? nullptr : &outputs_.back();
     Replies* run = last == nullptr ? nullptr : &std::get<Replies>(last->body);
-    const bool is_run = run != nullptr && run->line == line && last->tick == at.tick &&
-                        last->epoch == at.epoch && run->bytes.size() < kMaxReplies;
+    const bool is_run = run != nullptr && run->line == added.line && last->tick == added.tick &&
+                        last->epoch == epoch && run->bytes.size() < kMaxReplies;
     if (!is_run) {
-      outputs_.push_back({at.epoch, at.tick, 0, Replies{line, ""}});
+      outputs_.push_back({epoch, added.tick, 0, Replies{added.line, ""}});
       run = &std::get<Replies>(outputs_.back().body);
     }
     const std::string_view piece = bytes.substr(0, kMaxReplies - run->bytes.size());
@@ -127,8 +139,6 @@ void Recorder::output(const Cell& cell, LineId line, std::string_view bytes) {
     bytes.remove_prefix(piece.size());
   }
 }
-
-void Recorder::expired(const Cell& cell) { add(now(cell), DeviceSilent{}); }
 
 // --- Entries.
 

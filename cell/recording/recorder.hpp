@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "cell/cell.hpp"
-#include "cell/recording/input_log.hpp"
 #include "cell/recording/state_hash.hpp"
 #include "protocol/recording/entry.hpp"
 #include "protocol/recording/header.hpp"
@@ -20,7 +19,7 @@ namespace xr3 {
 /// device, if there will be one, is connected.
 recording::Header recording_header(const Cell& cell, std::string program);
 
-class Recorder : public InputLog {
+class Recorder : public CellObserver {
  public:
   using Sink = std::function<void(recording::Entry&&)>;
 
@@ -38,12 +37,9 @@ class Recorder : public InputLog {
   /// The last entry: the recording ends at the cell's current tick.
   recording::Entry end_of(const Cell& cell, std::string why);
 
-  void begin(const Cell& cell, const Input& input) override;
-  void end(const Cell& cell, const Input& input, const Applied& applied) override;
-  void sent(const Cell& cell, const BytesOut& out) override;
-  void output(const Cell& cell, LineId line, std::string_view bytes) override;
-  void after_advance(const Cell& /*cell*/) override { add_outputs(); }
-  void expired(const Cell& cell) override;
+  void before(const Cell& cell, const Input& input) override;
+  void happened(const Cell& cell, const CellOutput& output) override;
+  void after(const Cell& cell, const Input& input, const Applied& applied) override;
 
  protected:
   struct At {
@@ -58,7 +54,7 @@ class Recorder : public InputLog {
     std::size_t taken = 0;
     std::size_t unsent = 0;
   };
-  /// nullopt: nothing of the input is recorded. Precondition: end() of this input.
+  /// nullopt: nothing of the input is recorded. Precondition: after() of this input.
   std::optional<TakenBytes> read_of(const Cell& cell, const BytesIn& in,
                                     const Applied& applied) const;
 
@@ -71,6 +67,8 @@ class Recorder : public InputLog {
   }
   bool is_hash_due() const;
   void add(const At& at, recording::EntryBody&& body);
+  void note_sent(const Cell& cell, const BytesOut& out);
+  void add_output(Epoch epoch, const CellOutput::AddedBytes& added);
   void add_outputs();
   std::string take_replies(LineId line);
 
@@ -81,6 +79,7 @@ class Recorder : public InputLog {
   At input_at_;                            ///< of the input that acts
   std::size_t unsent_ = 0;                 ///< of its line, before it
   bool is_first_ = false;                  ///< it is the first read of its line
+  bool is_acting_ = false;                 ///< an input
   bool is_open_ = false;                   ///< its line, which the recording has, is open
   std::vector<recording::Entry> outputs_;  ///< not added yet
 };

@@ -40,7 +40,7 @@ Replayer::Result Replayer::rewind(const SavedCell& saved) {
                       is_same ? "another at " + details[0].pointer : "one of another robot");
   ++inputs_;
   auto past = std::make_shared<const MachineSnapshot>(
-      MachineSnapshot{cell_.model_with(saved.workcell), saved.state});
+      MachineSnapshot{cell_.value().model_with(saved.workcell), saved.state});
   cell_.apply(Rewind{std::move(past), {}}, 0);
   next_sample_ = now();
   return std::nullopt;

@@ -40,11 +40,11 @@ void prepare_replay(Cell& cell, const recording::Header& header) {
 }
 
 Replayer::Replayer(Cell& cell, Compared compared) : cell_(cell), compared_(compared) {
-  cell_.add_log(*this);
+  cell_.observe(*this);
   cell_.begin_replay();
 }
 
-Replayer::~Replayer() { cell_.remove_log(*this); }
+Replayer::~Replayer() { cell_.end_observation(*this); }
 
 void Replayer::sample_every(Tick every, std::function<void(const Cell&)> sample) {
   assert(every > 0);
@@ -53,9 +53,11 @@ void Replayer::sample_every(Tick every, std::function<void(const Cell&)> sample)
   next_sample_ = now();
 }
 
-void Replayer::output(const Cell& cell, LineId line, std::string_view bytes) {
-  if (bytes.empty() || compared_ == Compared::kNothing) return;
-  replies_[line].push_back({cell.state().tick, std::string(bytes)});
+void Replayer::happened(const Cell&, const CellOutput& output) {
+  if (compared_ == Compared::kNothing) return;
+  output.for_each_bytes([this](const CellOutput::AddedBytes& added) {
+    replies_[added.line].push_back({added.tick, std::string(added.bytes)});
+  });
 }
 
 Replayer::Result Replayer::difference(std::string what, std::string expected, std::string found,
@@ -182,7 +184,7 @@ std::size_t Replayer::take(const recording::LineInput& input) {
   for (std::size_t at = 0; at < input.bytes.size(); at += piece) {
     const auto bytes = std::string_view(input.bytes).substr(at, piece);
     const auto is_enough = [&] { return line.bytes_in() >= end; };
-    if (cell_.apply(BytesIn{input.line, bytes, is_enough}, 0).bytes_taken < bytes.size()) break;
+    if (cell_.apply(BytesIn{input.line, bytes}, 0, is_enough).bytes_taken < bytes.size()) break;
     if (line.bytes_in() >= end) break;
     is_stopped_ = may_stop && cell_.state().tick >= stop_->tick;
     if (is_stopped_) break;

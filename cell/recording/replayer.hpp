@@ -11,7 +11,6 @@
 
 #include "cell/cell.hpp"
 #include "cell/recording/difference.hpp"
-#include "cell/recording/input_log.hpp"
 #include "cell/recording/state_hash.hpp"
 #include "protocol/recording/entry.hpp"
 #include "protocol/recording/header.hpp"
@@ -28,7 +27,7 @@ SimClock replay_clock(const recording::Header& header);
 /// another version's format; or nothing, because the entries hold only inputs.
 enum class Compared : std::uint8_t { kAll, kReplies, kNothing };
 
-class Replayer : private InputLog {
+class Replayer : private CellObserver {
  public:
   /// `cell` must be prepared, or restored from a checkpoint, and outlive the replayer.
   Replayer(Cell& cell, Compared compared);
@@ -57,7 +56,7 @@ class Replayer : private InputLog {
   };
   using Result = std::optional<Difference>;
 
-  void output(const Cell& cell, LineId line, std::string_view bytes) override;
+  void happened(const Cell& cell, const CellOutput& output) override;
 
   ReplayTime now() const { return {cell_.epoch(), cell_.state().tick}; }
   Result difference(std::string what, std::string expected, std::string found,

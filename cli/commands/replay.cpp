@@ -175,7 +175,7 @@ void show_end(const ReplayOptions& options, const Cell& cell) {
 ExitCode replay_file(const ReplayOptions& options) {
   ReplayRun run(options);
   const recording::Header& header = run.header();
-  Cell cell(header.cell, header.model, replay_clock(header), {});
+  Cell cell(header.cell, header.model, replay_clock(header));
   prepare_replay(cell, header);
   if (!run.repeat(cell)) return ExitCode::kDifferent;
   show_end(options, cell);

@@ -38,23 +38,22 @@ constexpr WallNs kReadLimit = 5'000'000'000;  // for what the program has sent b
 constexpr double kNsPerSecond = 1e9;
 
 /// Samples a cell for the table of --csv.
-class TableSampler final : private CellWatcher {
+class TableSampler final : private CellObserver {
  public:
   TableSampler(Cell& cell, const std::string& path)
       : cell_(cell), table_(cell.model(), path), epoch_(cell.epoch()) {
-    after_tick(cell);
-    cell.watch(*this);
+    ticked(cell);
+    cell.observe(*this, Cell::Ticks::kEach);
   }
-  ~TableSampler() override { cell_.end_watch(*this); }
+  ~TableSampler() override { cell_.end_observation(*this); }
 
   JointTable& table() { return table_; }
 
  private:
   static constexpr Tick kEvery = 100;  // between two lines
 
-  void event(const Cell&, const CellEvent&) override {}
   // A cell passes over ticks at rest, in which nothing changes.
-  void after_tick(const Cell& cell) override {
+  void ticked(const Cell& cell) override {
     if (std::exchange(epoch_, cell.epoch()) != cell.epoch()) next_ = 0;
     for (; next_ <= cell.state().tick && !table_.is_full(); next_ += kEvery)
       table_.add(cell, next_);
@@ -92,7 +91,7 @@ class Run {
                    : std::optional<TableSampler>(std::in_place, host_.cell(), settings.exec.csv)),
         timer_(host_.io()),
         signals_(host_.io(), SIGINT, SIGTERM) {
-    host_.cell().add_log(transcript_);
+    host_.cell().observe(transcript_);
     give_terminal();
   }
 

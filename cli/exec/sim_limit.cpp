@@ -16,7 +16,7 @@ JudgedMoment moment_of(const Cell& cell, const RunObserver& observer) {
 
 SimLimit::SimLimit(Cell& cell, const RunObserver& observer, Tick limit)
     : cell_(cell), observer_(observer), limit_(limit) {
-  cell.watch(*this);
+  cell.observe(*this, Cell::Ticks::kEach);
 }
 
 Tick SimLimit::left(Tick most) const {
@@ -25,7 +25,7 @@ Tick SimLimit::left(Tick most) const {
 }
 
 // Checks the limit after a tick. Ticks at rest are left out: nothing changes in them but the tick.
-void SimLimit::after_tick(const Cell& cell) {
+void SimLimit::ticked(const Cell& cell) {
   if (limit_ == 0 || moment_ || cell.state().tick < limit_) return;
   moment_ = moment_of(cell, observer_);
   moment_->state.tick = limit_;

@@ -18,12 +18,12 @@ struct JudgedMoment {
 
 JudgedMoment moment_of(const Cell& cell, const RunObserver& observer);
 
-class SimLimit final : private CellWatcher {
+class SimLimit final : private CellObserver {
  public:
   /// Begins to observe. `limit`: a tick; 0 for none. The cell and the observer, which must have
   /// begun to observe before, must outlive it.
   SimLimit(Cell& cell, const RunObserver& observer, Tick limit);
-  ~SimLimit() override { cell_.end_watch(*this); }
+  ~SimLimit() override { cell_.end_observation(*this); }
 
   /// The moment at which the limit was reached, and exceeded since; nullopt if it was not.
   const std::optional<JudgedMoment>& moment() const { return moment_; }
@@ -31,8 +31,7 @@ class SimLimit final : private CellWatcher {
   Tick left(Tick most) const;
 
  private:
-  void event(const Cell&, const CellEvent&) override {}
-  void after_tick(const Cell& cell) override;
+  void ticked(const Cell& cell) override;
 
   Cell& cell_;
   const RunObserver& observer_;

@@ -7,22 +7,25 @@
 
 namespace xr3 {
 
-void TranscriptText::begin(const Cell& cell, const Input&) {
+void TranscriptText::before(const Cell& cell, const Input& input) {
+  if (!std::holds_alternative<BytesIn>(input)) return;
   input_at_ = text_.size();
   input_tick_ = cell.state().tick;
 }
 
 // Handles the end of an input. Replies to bytes that were executed at their arrival are in the text
 // already.
-void TranscriptText::end(const Cell&, const Input& input, const Applied& applied) {
+void TranscriptText::after(const Cell&, const Input& input, const Applied& applied) {
   const auto* in = std::get_if<BytesIn>(&input);
   if (in == nullptr || applied.bytes_taken == 0) return;
   const std::string_view taken = in->bytes.substr(0, applied.bytes_taken);
   add(input_at_, {input_tick_, in->line, '>', taken});
 }
 
-void TranscriptText::output(const Cell& cell, LineId line, std::string_view bytes) {
-  add(text_.size(), {cell.state().tick, line, '<', bytes});
+void TranscriptText::happened(const Cell&, const CellOutput& output) {
+  output.for_each_bytes([this](const CellOutput::AddedBytes& added) {
+    add(text_.size(), {added.tick, added.line, '<', added.bytes});
+  });
 }
 
 void TranscriptText::add(std::size_t at, const Transfer& bytes) {

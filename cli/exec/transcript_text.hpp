@@ -5,22 +5,22 @@
 #include <string>
 #include <string_view>
 
-#include "cell/recording/input_log.hpp"
+#include "cell/observer.hpp"
 
 namespace xr3 {
 
 /// Writes a line for the bytes that arrive together, or are sent together: `1300 1 > E+50\r` or
 /// `1300 1 < R`, with the tick and the number of the serial line.
-class TranscriptText final : public InputLog {
+class TranscriptText final : public CellObserver {
  public:
   /// Maximum size; later lines are left out, and the last line says so.
   static constexpr std::size_t kMaxBytes = std::size_t{4} << 20U;
 
   const std::string& text() const { return text_; }
 
-  void begin(const Cell& cell, const Input& input) override;
-  void end(const Cell& cell, const Input& input, const Applied& applied) override;
-  void output(const Cell& cell, LineId line, std::string_view bytes) override;
+  void before(const Cell& cell, const Input& input) override;
+  void happened(const Cell& cell, const CellOutput& output) override;
+  void after(const Cell& cell, const Input& input, const Applied& applied) override;
 
  private:
   struct Transfer {

@@ -26,6 +26,15 @@ namespace xr3 {
 
 class CameraCache {
  public:
+  CameraCache() = default;
+  /// A copy of a machine has a cache of its own, which begins empty.
+  CameraCache(const CameraCache& /*other*/) {}
+  CameraCache& operator=(const CameraCache& /*other*/) {
+    touch();
+    return *this;
+  }
+  ~CameraCache() = default;
+
   /// Call after any change of model or state: the next request then compares the cache with both.
   /// Without a call the cache is taken as valid, so that a request does not examine every block.
   void touch() { is_compared_ = false; }

@@ -53,6 +53,7 @@ struct ProblemNote {
   RawBytes raw{};
   int count = 1;
   Tick first_tick = 0;  ///< tick of the first one; the note may be later, after the last one
+  bool operator==(const ProblemNote&) const = default;
 };
 /// `count` warnings of a line were suppressed in this simulated second.
 struct SuppressedNote {

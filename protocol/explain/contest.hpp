@@ -25,10 +25,13 @@ class ContestObserver {
   /// lines and a joint, until one of the lines closes.
   std::optional<ContestedNote> handle(const CellEvent& event);
 
+  bool operator==(const ContestObserver&) const = default;
+
  private:
   struct LastMove {
     LineId line = 0;  ///< 0: none of an open line
     Tick tick = 0;
+    bool operator==(const LastMove&) const = default;
   };
   static constexpr std::size_t kLabels = 8;  ///< A...H
 

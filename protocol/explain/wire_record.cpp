@@ -139,17 +139,10 @@ void fill_in(WireRecord& record, const WirePlace& place, std::string_view bytes,
 }
 
 void fill_out(WireRecord& record, const WirePlace& place, std::string_view bytes,
-              const std::vector<Exchange>& exchanges, const std::vector<wire::Item>& released) {
+              const std::vector<Item>& replies) {
   begin(record, Direction::kOut, place, bytes, kMaxShownOut);
   record.telnet.reset();
-  for (const Exchange& exchange : exchanges) {
-    if (exchange.reply_from == exchange.reply_to) continue;
-    record.items.push_back({exchange.reply_from, exchange.reply_to, answer_of(exchange)});
-  }
-  if (released.empty()) return;
-  record.items.insert(record.items.end(), released.begin(), released.end());
-  std::sort(record.items.begin(), record.items.end(),
-            [](const Item& a, const Item& b) { return a.from < b.from; });
+  record.items = replies;
 }
 
 wire::Answered answer_of(const Exchange& exchange) {

@@ -30,6 +30,7 @@ struct Executed {
   std::optional<std::int8_t> counter = {};  ///< Move: the joint's error counter after it
   bool is_on = false;                       ///< a toggle: the new value
   bool has_device = false;  ///< ToggleSimulator: commands go to the device while disabled
+  bool operator==(const Executed&) const = default;
 };
 
 /// Bytes that were not executed. Consecutive single bytes with the same problem are one item.
@@ -37,6 +38,7 @@ struct Ignored {
   Problem problem;
   RawBytes raw;
   std::uint32_t count = 1;
+  bool operator==(const Ignored&) const = default;
 };
 
 /// A core Warning that a command raised, without the names of blocks, which would take memory.
@@ -45,6 +47,7 @@ struct WarningRaised {
   char label = 0;
   int value = 0;
   int limit = 0;
+  bool operator==(const WarningRaised&) const = default;
 };
 
 /// A Move without motion: the robot is stalled, or the joint was blocked before and still is.
@@ -52,34 +55,40 @@ struct NoMotion {
   char label = 0;
   Stall stall = Stall::kNo;
   Blocked blocked = Blocked::kNo;
+  bool operator==(const NoMotion&) const = default;
 };
 
 /// The size of a reply with rows of the camera's image; the image itself is not kept.
 struct PictureSize {
   int width = 0;
   int height = 0;
+  bool operator==(const PictureSize&) const = default;
 };
 
 /// An inquiry and its reply.
 struct Answered {
   Command command;
   ReplyWith<PictureSize> reply;
+  bool operator==(const Answered&) const = default;
 };
 
 /// A command that goes to the physical controller instead of the simulated one.
 struct ToDevice {
   Command command;
+  bool operator==(const ToDevice&) const = default;
 };
 
 /// A reply of the physical controller.
 struct FromDevice {
   Command inquiry;
   std::uint8_t byte = 0;
+  bool operator==(const FromDevice&) const = default;
 };
 
 /// Further replies that were sent together; their meaning is not kept.
 struct MoreAnswers {
   std::uint32_t count = 0;
+  bool operator==(const MoreAnswers&) const = default;
 };
 
 using Meaning = std::variant<Executed, Ignored, WarningRaised, MotorBlocked, NoMotion, Answered,
@@ -90,6 +99,7 @@ struct Item {
   std::uint64_t from = 0;
   std::uint64_t to = 0;
   Meaning what;
+  bool operator==(const Item&) const = default;
 };
 
 }  // namespace wire
@@ -128,10 +138,10 @@ void fill_in(WireRecord& record, const WirePlace& place, std::string_view bytes,
              const std::optional<TelnetFilter>& before, const std::vector<Exchange>& exchanges,
              const Simulation& machine, bool has_device = false);
 
-/// Fills `record` for bytes sent: any number, as passed to the transport. They are the replies to
-/// `exchanges`, replies that had been held and are `released` now, and telnet bytes.
+/// Fills `record` for bytes sent: any number, as passed to the transport. They are `replies`, in
+/// order, and telnet bytes.
 void fill_out(WireRecord& record, const WirePlace& place, std::string_view bytes,
-              const std::vector<Exchange>& exchanges, const std::vector<wire::Item>& released = {});
+              const std::vector<wire::Item>& replies);
 
 /// The reply of an exchange, without its image. Precondition: a command with a reply.
 wire::Answered answer_of(const Exchange& exchange);

@@ -12,6 +12,7 @@ namespace xr3 {
 struct DeviceCommand {
   std::string bytes;
   bool is_inquiry = false;
+  bool operator==(const DeviceCommand&) const = default;
 };
 
 /// The bytes of a command; nullopt if only the simulator has it. The bytes name the joint, whatever

@@ -30,10 +30,6 @@ struct Exchange {
   Parsed parsed;
   Reply reply;
   Events events;
-  /// The reply's bytes [from, to) in the line's output. Set by the caller when it sends the reply;
-  /// equal if there is no reply.
-  std::uint64_t reply_from = 0;
-  std::uint64_t reply_to = 0;
   bool is_for_device = false;  ///< true if not executed: it goes to the physical controller
 };
 
@@ -54,6 +50,11 @@ class RhinoEndpoint {
   void reset() { parser_ = RhinoParser(profile_); }
 
   const RhinoParser& parser() const { return parser_; }
+
+  /// Whether they interpret the next bytes alike.
+  bool operator==(const RhinoEndpoint& other) const {
+    return profile_ == other.profile_ && parser_ == other.parser_;
+  }
 
  private:
   Profile profile_;

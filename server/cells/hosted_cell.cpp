@@ -7,14 +7,16 @@ namespace xr3 {
 HostedCell::HostedCell(CellContext& context, CellParts parts)
     : context_(context),
       token_(std::move(parts.token)),
-      cell_(std::move(parts.name), std::move(parts.model), parts.clock, std::move(parts.sink),
-            context.rings),
+      events_(std::move(parts.sink)),
+      cell_(std::move(parts.name), std::move(parts.model), parts.clock, context.rings),
       lines_(context.turns, cell_, [this] { after_input(); }),
       due_timer_(context.io, cell_, [this] { after_input(); }),
       silence_timer_(context.io, cell_, lines_, [this] { after_input(); }),
       frames_(cell_),
       hub_(context.io, cell_, frames_, [this] { context_.turns.run_turns(); }),
-      pictures_(context.io, context.worker) {}
+      pictures_(context.io, context.worker) {
+  cell_.observe(events_);
+}
 
 // The sessions give back their places at the port, which is destroyed before the sessions.
 HostedCell::~HostedCell() {

@@ -22,6 +22,7 @@
 #include "cell/cell.hpp"
 #include "cell/frames.hpp"
 #include "cell/history/history.hpp"
+#include "server/cells/event_forwarder.hpp"
 #include "server/device/port.hpp"
 #include "server/http/pictures.hpp"
 #include "server/lines/due_timer.hpp"
@@ -55,7 +56,7 @@ struct CellParts {
   std::string name;
   ModelPtr model;
   SimClock clock;
-  CellEventSink sink;      ///< may be empty
+  EventSink sink;          ///< may be empty
   std::string token = {};  ///< token of this cell; empty if it has none
 };
 
@@ -135,6 +136,7 @@ class HostedCell : public std::enable_shared_from_this<HostedCell> {
 
   CellContext& context_;
   std::string token_;
+  EventForwarder events_;
   Cell cell_;
   std::optional<Recording> recording_;
   std::optional<History> history_;

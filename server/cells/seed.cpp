@@ -48,7 +48,7 @@ SimClock start_clock(const ClockChoice& choice) {
 }
 
 CellPtr make_cell(CellContext& context, const ServeOptions& options, const CellSeed& seed,
-                  std::string name, CellEventSink sink, std::string token) {
+                  std::string name, EventSink sink, std::string token) {
   CellPtr cell = HostedCell::make(context, {std::move(name), seed.model, start_clock(options.clock),
                                             std::move(sink), std::move(token)});
   start_time(options, cell->cell());

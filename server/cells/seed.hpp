@@ -31,6 +31,6 @@ SimClock start_clock(const ClockChoice& choice);
 /// A cell without ports, with the clock, the line speed and the faults of the options and the seed.
 /// `token`: empty if it has none.
 CellPtr make_cell(CellContext& context, const ServeOptions& options, const CellSeed& seed,
-                  std::string name, CellEventSink sink, std::string token = {});
+                  std::string name, EventSink sink, std::string token = {});
 
 }  // namespace xr3

@@ -7,7 +7,7 @@ namespace xr3 {
 
 // With the manual clock, a call advances the cell, and with the byte clock, each input does.
 void DueTimer::update() {
-  const std::optional<Tick> due = cell_.next_wake();
+  const std::optional<Tick> due = next_wake(cell_.value());
   if (!due || is_closed_ || cell_.clock().mode() != ClockMode::kReal) return;
   const WallNs moment = cell_.clock().when(*due);
   if (waits_until_ && *waits_until_ <= moment) return;

@@ -56,7 +56,7 @@ void LineSession::execute(std::string_view bytes, WallNs end, WallNs now) {
   if (bytes.empty()) return;
   report_settings(now);
   const auto is_enough = [end] { return wall_now() >= end; };
-  const std::size_t taken = context_.cell.apply(BytesIn{id_, bytes, is_enough}, now).bytes_taken;
+  const std::size_t taken = context_.cell.apply(BytesIn{id_, bytes}, now, is_enough).bytes_taken;
   note(context_.turns.memory(), held_bytes());
   source_.line_executed(id_);
   context_.on_input(id_);
@@ -99,15 +99,17 @@ LineSession::Turn LineSession::flush(WallNs end) {
   if (!is_open()) return Turn::kBlocked;
   const SerialLine& line = *context_.cell.find_line(id_);  // exists while the stream is open
   if (line.is_cut()) end_by_fault();
-  const bool is_unread = !has_ended_ && context_.cell.is_unread(id_);
-  if (is_unread && !is_broken_) return Turn::kBlocked;
+  const bool waits = !has_ended_ && is_unread(context_.cell.value(), id_);
+  if (waits && !is_broken_) return Turn::kBlocked;
   if (has_ended_) end_input();
   if (!is_open()) return Turn::kBlocked;
-  if (is_broken_ && (is_unread || line.is_paced() || line.holds_replies())) {
+  if (is_broken_ && (waits || line.is_paced() || line.holds_replies())) {
     close(LineCloseReason::kError);
     return Turn::kBlocked;
   }
-  const auto accepts_pending = [&] { return !pending_.empty() && line.accepts(pending_.front()); };
+  const auto accepts_pending = [&] {
+    return !pending_.empty() && accepts(context_.cell.value(), line, pending_.front());
+  };
   const auto is_done = [&] { return line.outbox().empty() && pending_.empty(); };
   while (!is_done()) {
     if (line.outbox().empty() && !accepts_pending()) {  // suspended replies, or the device

@@ -21,7 +21,7 @@ bool SilenceTimer::is_needed() const {
 }
 
 SilenceTimer::Progress SilenceTimer::progress() const {
-  const std::optional<LineId> line = cell_.current_line();
+  const std::optional<LineId> line = current_line(cell_.value());
   return {line, line ? cell_.find_line(*line)->bytes_in() : 0};
 }
 

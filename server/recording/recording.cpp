@@ -39,10 +39,10 @@ Recording::Recording(asio::io_context& io, Cell& cell, std::string path, Recordi
     return;
   }
   begin_file(header);
-  cell_.add_log(recorder_);
+  cell_.observe(recorder_);
 }
 
-Recording::~Recording() { cell_.remove_log(recorder_); }
+Recording::~Recording() { cell_.end_observation(recorder_); }
 
 std::string Recording::header_line() {
   std::string line = writer_.line(recording_header(cell_, "xr3 " XR3_VERSION));
@@ -122,13 +122,13 @@ void Recording::fail(std::string why) {
 }
 
 void Recording::report(const std::string& why) {
-  cell_.remove_log(recorder_);
+  cell_.end_observation(recorder_);
   cell_.apply(RecordingFailed{path_, path_ + ": " + why}, wall_now());
   on_input_();
 }
 
 void Recording::finish() {
-  cell_.remove_log(recorder_);
+  cell_.end_observation(recorder_);
   timer_.cancel();
   if (std::exchange(is_over_, true)) return;
   file_->add(writer_.line(recorder_.end_of(cell_, "stopped")));

@@ -39,8 +39,8 @@ Json line_json(const Cell& cell, LineId id, const SerialLine& line) {
                 {"warnings", line.warnings()},
                 {"last", readable(line.last().view())}};
   if (const auto serial = line.settings()) entry["serial"] = text_of(*serial);
-  if (const auto speed = cell.speed_of(line)) entry["speed"] = text_of(*speed);
-  if (const auto before = cell.line_before(id)) entry["waits_for"] = *before;
+  if (const auto speed = speed_of(cell.value(), line)) entry["speed"] = text_of(*speed);
+  if (const auto before = line_before(cell.value(), id)) entry["waits_for"] = *before;
   return entry;
 }
 
@@ -70,7 +70,7 @@ asio::awaitable<std::size_t> receive(HostedCell& at, LineId line, std::string_vi
     const bool moves_time = cell.clock().mode() == ClockMode::kBytes;
     const WallNs piece_end = moves_time ? wall_now() + kSendPiece : kNever;
     const auto is_enough = [piece_end] { return wall_now() >= piece_end; };
-    taken += cell.apply(BytesIn{line, bytes.substr(taken), is_enough}, wall_now()).bytes_taken;
+    taken += cell.apply(BytesIn{line, bytes.substr(taken)}, wall_now(), is_enough).bytes_taken;
     if (taken == bytes.size() || wall_now() < piece_end || wall_now() >= end) co_return taken;
     co_await at.transports().pause();
     if (cell.find_line(line) == nullptr || cell.is_in_past()) co_return taken;
@@ -100,8 +100,8 @@ std::optional<LineId> MonitorCalls::own_line(CallOf of) {
 
 MonitorCalls::Answer MonitorCalls::carry_out(CallOf of, const monitor::Send& send) {
   Cell& cell = of.cell();
-  if (cell.is_in_past()) co_return refused(of.id(), Cell::in_the_past());
-  if (const std::optional<LineId> current = cell.current_line();
+  if (cell.is_in_past()) co_return refused(of.id(), in_the_past());
+  if (const std::optional<LineId> current = current_line(cell.value());
       current && current != open_own_line(of))
     co_return refused(of.id(), line_waits(*current));
   const std::optional<LineId> line = own_line(of);

@@ -30,7 +30,7 @@ monitor::CellSummary summary_of(HostedCell& at) {
   summary.lines = cell.lines().size();
   if (!cell.lines().empty()) summary.peer = cell.lines().rbegin()->second.peer();
   summary.has_recording_failed = cell.counters().recordings_failed > 0;
-  summary.last_input_tick = cell.last_input_tick();
+  summary.last_input_tick = cell.value().last_input_tick;
   summary.epoch = cell.epoch();
   return summary;
 }

@@ -18,7 +18,7 @@
 #include <utility>
 #include <vector>
 
-#include "cell/serial_line.hpp"
+#include "cell/line/serial_line.hpp"
 #include "protocol/monitor/client.hpp"
 #include "server/net/asio.hpp"
 #include "server/session/message_sink.hpp"

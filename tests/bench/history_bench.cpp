@@ -38,8 +38,7 @@ struct MovingHour {
   Cell cell{"main",
             std::make_shared<const Model>(test::robot_named("rhino-xr3"),
                                           test::workcell_named("rhino-xr3"), Profile::kPaper),
-            SimClock::real({}, 0),
-            {}};
+            SimClock::real({}, 0)};
   History history{cell, 3'600'000, budget};
 };
 
@@ -68,7 +67,7 @@ BENCHMARK(moment_of_an_hour)->Unit(benchmark::kMillisecond)->Iterations(1);
 /// An inquiry with and without a history.
 void inquiry_with_history(benchmark::State& state) {
   monitor::ByteBudget budget(kHistoryBudget);
-  Cell cell("main", test::rhino(), SimClock::real({}, 0), {});
+  Cell cell("main", test::rhino(), SimClock::real({}, 0));
   std::optional<History> history;
   if (state.range(0) != 0) history.emplace(cell, 3'600'000, budget);
   cell.apply(LineOpened{"127.0.0.1:50000"}, 0);

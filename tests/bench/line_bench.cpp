@@ -46,7 +46,7 @@ BENCHMARK_CAPTURE(parse, anything, anything());
 void whole_line(benchmark::State& state, const std::string& bytes) {
   Simulation simulation(test::rhino());
   for (auto _ : state) {
-    test::Wire wire(Profile::kPaper);
+    test::Wire wire(simulation.model_ptr());
     wire.send(bytes, simulation);
     benchmark::DoNotOptimize(wire.received());
   }

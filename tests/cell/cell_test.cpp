@@ -10,6 +10,7 @@
 #include "core/kinematics.hpp"
 #include "protocol/files/workcell.hpp"
 #include "tests/support/models.hpp"
+#include "tests/support/on_event.hpp"
 
 namespace xr3 {
 namespace {
@@ -19,11 +20,11 @@ constexpr WallNs kMs = 1'000'000;
 /// A cell in memory that collects its events.
 struct Lab {
   explicit Lab(SimClock clock = SimClock::manual(), Profile profile = Profile::kPaper)
-      : cell("main", test::rhino(profile), clock,
-             [this](const CellEvent& e, const Model&) { events.push_back(e); }) {}
+      : cell("main", test::rhino(profile), clock) {}
 
   std::vector<CellEvent> events;
   Cell cell;
+  test::OnEvent on_event{cell, [this](const CellEvent& each) { events.push_back(each); }};
 
   void open(LineId line, WallNs now = 0) {
     EXPECT_EQ(cell.apply(LineOpened{"test"}, now).line, line);
@@ -156,9 +157,9 @@ TEST(Cell, TakesBytesUntilTheLimit) {
   for (int i = 0; i < 100; ++i) bytes += "E?";
   int asked = 0;
   const auto is_enough = [&asked] { return ++asked == 2; };
-  EXPECT_EQ(lab.cell.apply(BytesIn{1, bytes, is_enough}, 0).bytes_taken, 2 * kMaxShownIn);
+  EXPECT_EQ(lab.cell.apply(BytesIn{1, bytes}, 0, is_enough).bytes_taken, 2 * kMaxShownIn);
   EXPECT_EQ(lab.cell.find_line(1)->outbox().size(), kMaxShownIn);
-  EXPECT_EQ(lab.cell.apply(BytesIn{1, "E?", [] { return true; }}, 0).bytes_taken, 2U)
+  EXPECT_EQ(lab.cell.apply(BytesIn{1, "E?"}, 0, [] { return true; }).bytes_taken, 2U)
       << "there is always some progress";
 }
 
@@ -343,14 +344,46 @@ TEST(Cell, EventsAreInOrderOfTicks) {
   EXPECT_EQ(lab.events.back().line, std::nullopt);
 }
 
+/// The ticks at which the machine's events were seen, and those of the events.
+class EventTimes final : public CellObserver {
+ public:
+  std::vector<Tick> seen;
+  std::vector<Tick> happened_at;
+  Tick last = 0;
+
+  void happened(const Cell& cell, const CellOutput& output) override {
+    for (const CellEvent& event : output.events) {
+      if (event.line) continue;
+      seen.push_back(cell.state().tick);
+      happened_at.push_back(event.tick);
+    }
+  }
+  void ticked(const Cell& cell) override { last = cell.state().tick; }
+};
+
+TEST(Cell, AnObserverOfTicksSeesEventsInTheirTick) {
+  Lab lab;
+  lab.open(1);
+  EventTimes times;
+  lab.cell.observe(times, Cell::Ticks::kEach);
+  for (int i = 0; i < 8; ++i) {
+    lab.send(1, "E-127\r");
+    lab.call(call::Step{2000});
+  }
+  lab.cell.end_observation(times);
+  EXPECT_EQ(times.last, lab.cell.state().tick);
+  EXPECT_FALSE(times.seen.empty()) << "the shoulder reaches its limit";
+  EXPECT_EQ(times.seen, times.happened_at);
+}
+
 // --- Failures.
 
-TEST(Cell, AnExceptionInTheSinkIsAFatalFailure) {
-  Cell cell("main", test::rhino(), SimClock::manual(),
-            [](const CellEvent&, const Model&) { throw std::bad_alloc(); });
+TEST(Cell, AnExceptionInAnObserverIsAFatalFailure) {
+  Cell cell("main", test::rhino(), SimClock::manual());
+  const test::OnEvent throws(cell, [](const CellEvent&) { throw std::bad_alloc(); });
   try {
     cell.apply(LineOpened{"test"}, 0);
-    ADD_FAILURE() << "the exception of the sink is lost";
+    ADD_FAILURE() << "the exception of the observer is lost";
   } catch (const FatalFailure& failure) {
     EXPECT_STREQ(failure.what(), "the cell: std::bad_alloc");
   }
@@ -410,7 +443,7 @@ class Seen {
   Cell& cell() { return cell_; }
 
  private:
-  Cell cell_{"main", rhino_with_camera("rhino-xr3"), SimClock::manual(), {}};
+  Cell cell_{"main", rhino_with_camera("rhino-xr3"), SimClock::manual()};
   bool has_line_ = cell_.apply(LineOpened{"test"}, 0).line == 1;
 };
 

@@ -9,6 +9,7 @@
 #include "cell/cell.hpp"
 #include "protocol/monitor/event.hpp"
 #include "tests/support/models.hpp"
+#include "tests/support/on_event.hpp"
 
 namespace xr3 {
 namespace {
@@ -74,8 +75,8 @@ class DeviceTest : public testing::Test {
 
   WallNs now_ = 0;
   std::vector<CellEvent> events_;
-  Cell cell_{"main", test::rhino(), SimClock::real(Rate{}, 0),
-             [this](const CellEvent& event, const Model&) { events_.push_back(event); }};
+  Cell cell_{"main", test::rhino(), SimClock::real(Rate{}, 0)};
+  test::OnEvent on_event_{cell_, [this](const CellEvent& each) { events_.push_back(each); }};
 };
 
 TEST_F(DeviceTest, GetsNothingWhileTheSimulatorIsEnabled) {
@@ -183,10 +184,10 @@ TEST_F(DeviceTest, AFloodWaitsUntilTheDeviceHasTakenIt) {
   for (int i = 0; i < 1000; ++i) flood += "E+1\r";
   const std::size_t taken = cell_.apply(BytesIn{1, flood}, now_).bytes_taken;
   EXPECT_LT(taken, 500U);
-  EXPECT_FALSE(cell_.find_line(1)->accepts('E'));
-  EXPECT_TRUE(cell_.find_line(2)->accepts('E'));
+  EXPECT_FALSE(accepts(cell_.value(), *cell_.find_line(1), 'E'));
+  EXPECT_TRUE(accepts(cell_.value(), *cell_.find_line(2), 'E'));
   answer("1");
-  EXPECT_TRUE(cell_.find_line(1)->accepts('E'));
+  EXPECT_TRUE(accepts(cell_.value(), *cell_.find_line(1), 'E'));
   EXPECT_EQ(cell_.take_woken_lines(), std::vector<LineId>{1});
 }
 

@@ -3,6 +3,7 @@
 
 #include "cell/cell.hpp"
 #include "tests/support/models.hpp"
+#include "tests/support/on_event.hpp"
 
 namespace xr3 {
 namespace {
@@ -18,14 +19,14 @@ Fault fault_named(std::string name, FaultKind kind) {
 /// A cell in memory with two lines, 1 and 2.
 struct Faulty {
   explicit Faulty(std::vector<Fault> faults = {})
-      : cell("main", test::rhino(), SimClock::manual(),
-             [this](const CellEvent& e, const Model&) { events.push_back(e); }) {
+      : cell("main", test::rhino(), SimClock::manual()) {
     cell.set_faults({7, std::move(faults)});
     for (int i = 0; i < 2; ++i) cell.apply(LineOpened{"test"}, 0);
   }
 
   std::vector<CellEvent> events;
   Cell cell;
+  test::OnEvent on_event{cell, [this](const CellEvent& each) { events.push_back(each); }};
 
   std::string send(LineId line, std::string_view bytes) {
     cell.apply(BytesIn{line, bytes}, 0);
@@ -112,6 +113,22 @@ TEST(CellFaults, ALineThatIsCutTakesNoMoreBytes) {
   EXPECT_FALSE(faulty.cell.find_line(2)->is_cut());
 }
 
+TEST(CellFaults, WithAByteClockTheCommandThatIsCutDoesNotAct) {
+  Fault fault = fault_named("cut", FaultKind::kLineDisconnected);
+  fault.from_tick.reset();
+  fault.after_bytes = 3;
+  for (const bool is_paused : {false, true}) {
+    Cell cell("main", test::rhino(), SimClock::bytes());
+    cell.set_byte_clock({});
+    cell.set_faults({7, {fault}});
+    cell.apply(LineOpened{"test"}, 0);
+    if (is_paused) cell.apply(Input{call::Call{call::Pause{}}}, 0);
+    cell.apply(BytesIn{1, "E?D?C?"}, 0);
+    EXPECT_TRUE(cell.find_line(1)->is_cut());
+    EXPECT_EQ(cell.find_line(1)->outbox(), " ") << (is_paused ? "paused" : "running");
+  }
+}
+
 TEST(CellFaults, ACutAtATickWakesTheLines) {
   Fault fault = fault_named("cut", FaultKind::kLineDisconnected);
   fault.from_tick.reset();
@@ -138,7 +155,7 @@ TEST(CellFaults, ADelayedReplyLeavesLaterAndThoseBehindItWait) {
   Faulty faulty({fault});
   EXPECT_EQ(faulty.send(1, "E+5\rE?D?"), "");
   EXPECT_EQ(faulty.send(2, "D?"), " ");
-  EXPECT_EQ(faulty.cell.next_due(), 40);
+  EXPECT_EQ(next_due(faulty.cell.value()), 40);
   EXPECT_FALSE(faulty.cell.is_at_rest());
   faulty.step(39);
   EXPECT_EQ(left_on(faulty), "");
@@ -182,7 +199,7 @@ TEST(CellFaults, XoffHoldsRepliesUntilItEnds) {
   EXPECT_EQ(faulty.send(1, "E?"), " ");
   faulty.step(50);
   EXPECT_EQ(faulty.send(1, "E?D?"), "");
-  EXPECT_EQ(faulty.cell.next_due(), 110);
+  EXPECT_EQ(next_due(faulty.cell.value()), 110);
   faulty.step(59);
   EXPECT_EQ(left_on(faulty), "");
   faulty.step(1);
@@ -192,7 +209,7 @@ TEST(CellFaults, XoffHoldsRepliesUntilItEnds) {
 TEST(CellFaults, XoffWithoutAnEndEndsWhenItIsCleared) {
   Faulty faulty({fault_named("xoff", FaultKind::kXoffStall)});
   EXPECT_EQ(faulty.send(1, "E?"), "");
-  EXPECT_EQ(faulty.cell.next_due(), std::nullopt);
+  EXPECT_EQ(next_due(faulty.cell.value()), std::nullopt);
   faulty.step(100'000);
   EXPECT_EQ(left_on(faulty), "");
   faulty.call(call::ClearFault{"xoff"});
@@ -207,8 +224,8 @@ TEST(CellFaults, AnEndAfterTheEndOfTimeIsNone) {
   Faulty faulty({fault});
   faulty.step(10);
   EXPECT_EQ(faulty.send(1, "E?"), "");
-  EXPECT_EQ(faulty.cell.next_due(), std::nullopt);
-  EXPECT_EQ(faulty.cell.next_wake(), 10 + Cell::kMaxSleep);
+  EXPECT_EQ(next_due(faulty.cell.value()), std::nullopt);
+  EXPECT_EQ(next_wake(faulty.cell.value()), 10 + kMaxSleep);
 }
 
 TEST(CellFaults, ALineWithoutAnEndOfXoffDoesNotWaitForIt) {
@@ -232,7 +249,7 @@ TEST(CellFaults, RepliesThatWaitAreBounded) {
 TEST(CellFaults, AtALineSpeedADelayedReplyTakesItsTimeAfterwards) {
   Fault fault = fault_named("slow", FaultKind::kReplyDelayed);
   fault.delay_ms = 100;
-  Cell cell("main", test::rhino(), SimClock::manual(), {});
+  Cell cell("main", test::rhino(), SimClock::manual());
   cell.set_line_speed({*parse_serial_settings("9600-7e2"), {}});
   cell.set_faults({7, {fault}});
   cell.apply(LineOpened{"test"}, 0);
@@ -247,7 +264,7 @@ TEST(CellFaults, AtALineSpeedACutLineForgetsTheBytesUnderWay) {
   Fault fault = fault_named("cut", FaultKind::kLineDisconnected);
   fault.from_tick.reset();
   fault.at_tick = 5;
-  Cell cell("main", test::rhino(), SimClock::manual(), {});
+  Cell cell("main", test::rhino(), SimClock::manual());
   cell.set_line_speed({*parse_serial_settings("9600-7e2"), {}});
   cell.set_faults({7, {fault}});
   cell.apply(LineOpened{"test"}, 0);
@@ -265,11 +282,11 @@ TEST(CellFaults, WakeTheServerAtTheirTicks) {
   fault.from_tick = 5000;
   fault.ticks = 100'000'000;
   Faulty faulty({fault});
-  EXPECT_EQ(faulty.cell.next_wake(), 5000);
+  EXPECT_EQ(next_wake(faulty.cell.value()), 5000);
   faulty.step(5000);
-  EXPECT_EQ(faulty.cell.next_wake(), 5000 + Cell::kMaxSleep);
+  EXPECT_EQ(next_wake(faulty.cell.value()), 5000 + kMaxSleep);
   faulty.call(call::ClearFault{});
-  EXPECT_EQ(faulty.cell.next_wake(), std::nullopt);
+  EXPECT_EQ(next_wake(faulty.cell.value()), std::nullopt);
 }
 
 TEST(CellFaults, AResetReturnsToThoseOfTheStart) {

@@ -29,7 +29,7 @@ std::int64_t inquiry_ms_for(unsigned choice) {
 class ByteLines {
  public:
   ByteLines(ModelPtr model, std::int64_t inquiry_ms, std::size_t piece)
-      : piece_(piece), cell_("fuzz", std::move(model), SimClock::bytes(), {}) {
+      : piece_(piece), cell_("fuzz", std::move(model), SimClock::bytes()) {
     cell_.set_byte_clock({.inquiry_ms = inquiry_ms});
     open();
     open();
@@ -37,8 +37,8 @@ class ByteLines {
 
   /// Sends on the first or the second of the open lines, in pieces.
   void send(bool is_second, std::string_view bytes) {
-    const LineId line = is_second ? newest_ : *cell_.current_line();
-    if (cell_.line_before(line)) {
+    const LineId line = is_second ? newest_ : *current_line(cell_.value());
+    if (line_before(cell_.value(), line)) {
       require(cell_.apply(BytesIn{line, bytes}, 0).bytes_taken == 0, "a waiting line is not read");
       return;
     }
@@ -49,11 +49,11 @@ class ByteLines {
     }
   }
   void close_current() {
-    const LineId line = *cell_.current_line();
+    const LineId line = *current_line(cell_.value());
     take(line);
     cell_.apply(LineClosed{line}, 0);
     require(cell_.is_at_rest(), "the robot is at rest between two turns");
-    require(*cell_.current_line() == newest_, "the next line has its turn");
+    require(*current_line(cell_.value()) == newest_, "the next line has its turn");
     open();
   }
 

@@ -22,7 +22,8 @@ constexpr std::size_t kRestInterval = 64;
 
 struct Cell {
   explicit Cell(ModelPtr model)
-      : rig(std::move(model)), wires{Wire(rig.model().profile()), Wire(rig.model().profile())} {}
+      : rig(std::move(model)),
+        wires{Wire(rig.simulation.model_ptr()), Wire(rig.simulation.model_ptr())} {}
 
   using Wire = test::Wire;
   test::Rig rig;

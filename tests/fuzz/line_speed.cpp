@@ -34,7 +34,7 @@ LineSpeed speed_for(unsigned choice) {
 class PacedLines {
  public:
   PacedLines(ModelPtr model, const LineSpeed& speed)
-      : cell_("fuzz", std::move(model), SimClock::manual(), {}) {
+      : cell_("fuzz", std::move(model), SimClock::manual()) {
     cell_.set_line_speed(speed);
     for (LineId line = 1; line <= 2; ++line) cell_.apply(LineOpened{"fuzz"}, 0);
   }

@@ -65,7 +65,7 @@ std::optional<recording::Entry> entry_of(std::string_view line, Epoch epoch) {
 
 void replay_lines(std::string_view text, unsigned choice) {
   const recording::Header header = header_for(choice);
-  Cell cell(header.cell, header.model, replay_clock(header), {});
+  Cell cell(header.cell, header.model, replay_clock(header));
   prepare_replay(cell, header);
   Replayer replayer(cell, Compared::kAll);
   Epoch epoch = 0;

@@ -16,12 +16,12 @@
 #include <utility>
 #include <vector>
 
-#include "cell/serial_line.hpp"
 #include "core/invariants.hpp"
 #include "tests/fuzz/common/fuzz.hpp"
 #include "tests/fuzz/common/pieces.hpp"
 #include "tests/fuzz/common/telnet_reference.hpp"
 #include "tests/support/models.hpp"
+#include "tests/support/one_line.hpp"
 
 namespace xr3::fuzz::telnet_fuzzer {
 namespace {
@@ -33,61 +33,56 @@ constexpr std::size_t kMaxReply = 192 * 192 / 6;  // a picture, in bytes
 /// A serial line with its own machine. Collects the replies that the client receives.
 class Conversation {
  public:
-  Conversation(ModelPtr model, LineKind kind)
-      : simulation_(std::move(model)), line_(simulation_.model().profile(), kind, "fuzz", 0) {}
+  Conversation(ModelPtr model, LineKind kind) : one_(std::move(model), kind) {}
 
   /// Sends all bytes; the client receives at most `at_once` bytes after each receive().
   void send(std::string_view bytes, std::size_t at_once) {
-    while (!bytes.empty() && !line_.is_not_a_robot_program()) {
-      simulation_.take_events();
-      const std::size_t taken = line_.receive(bytes, simulation_, exchanges_);
-      bytes.remove_prefix(taken);
+    while (!bytes.empty() && !line().is_not_a_robot_program()) {
+      bytes.remove_prefix(one_.receive(bytes));
+      keep_exchanges();
       check_bounds();
-      if (!bytes.empty() && !line_.is_not_a_robot_program()) make_room(bytes.front());
-      fetch(line_.is_full() ? SerialLine::kFullOutbox : at_once);
+      if (!bytes.empty() && !line().is_not_a_robot_program()) make_room(bytes.front());
+      received_ += one_.fetch(line().is_full() ? SerialLine::kFullOutbox : at_once);
     }
   }
-  void fetch_all() { fetch(line_.outbox().size()); }
+  void fetch_all() { received_ += one_.fetch(); }
 
   /// The client sends no more and receives everything.
   void finish() {
-    line_.end_input(0);
+    one_.end_input();
     check_bounds();
-    require(line_.held_bytes() == 0, "nothing is held after the end of the input");
+    require(line().held_bytes() == 0, "nothing is held after the end of the input");
     fetch_all();
   }
 
-  const SerialLine& line() const { return line_; }
-  const State& state() const { return simulation_.state(); }
+  const SerialLine& line() const { return one_.line; }
+  const State& state() const { return one_.cell.state(); }
   const std::string& received() const { return received_; }
   const std::vector<Exchange>& exchanges() const { return exchanges_; }
   bool has_acted() const {
     return !exchanges_.empty() || !received_.empty() ||
-           !(state() == initial_state(simulation_.model()));
+           !(state() == initial_state(one_.cell.model()));
   }
-  const char* broken() const { return broken_invariant(simulation_.model(), state()); }
+  const char* broken() const { return broken_invariant(one_.cell.model(), state()); }
 
  private:
+  void keep_exchanges() {
+    exchanges_.insert(exchanges_.end(), one_.exchanges().begin(), one_.exchanges().end());
+  }
   /// A line takes all bytes unless it is full, or the client has suspended too many replies. Such a
   /// client ends its input here: nobody else could make it go on.
   void make_room(char next) {
-    if (line_.is_full()) return;
-    require(!line_.accepts(next), "a line takes every byte that it accepts");
-    require(line_.held_bytes() >= ReplyHold::kFull, "a line waits only with a full hold");
-    line_.end_input(0);
+    if (line().is_full()) return;
+    require(!line().accepts(next), "a line takes every byte that it accepts");
+    require(line().held_bytes() >= ReplyHold::kFull, "a line waits only with a full hold");
+    one_.end_input();
   }
   void check_bounds() const {
-    require(line_.held_bytes() < ReplyHold::kFull + kMaxReply, "the hold is bounded");
-    require(line_.outbox().size() < 4 * SerialLine::kFullOutbox, "the outbox is bounded");
-  }
-  void fetch(std::size_t count) {
-    count = std::min(count, line_.outbox().size());
-    received_ += line_.outbox().substr(0, count);
-    line_.sent(count, 0);
+    require(line().held_bytes() < ReplyHold::kFull + kMaxReply, "the hold is bounded");
+    require(line().outbox().size() < 4 * SerialLine::kFullOutbox, "the outbox is bounded");
   }
 
-  Simulation simulation_;
-  SerialLine line_;
+  test::OneLine one_;
   std::vector<Exchange> exchanges_;
   std::string received_;
 };
@@ -95,8 +90,7 @@ class Conversation {
 // --- Independence of how the bytes arrive.
 
 bool is_same(const Exchange& a, const Exchange& b) {
-  return a.parsed == b.parsed && a.reply == b.reply && a.events == b.events &&
-         a.reply_from == b.reply_from && a.reply_to == b.reply_to;
+  return a.parsed == b.parsed && a.reply == b.reply && a.events == b.events;
 }
 
 void check_same(const Conversation& a, const Conversation& b) {

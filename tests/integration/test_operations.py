@@ -32,16 +32,16 @@ unread bytes of a connection in the kernel | server/net/listener.cpp | kSendBuff
 first bytes of a line that are examined together | protocol/line/line_guard.hpp | kFirstChunk
 one turn of a line | server/lines/session.hpp | kBytesATurn
 one turn of a line | server/lines/session.hpp | kTurnTime | 1000
-unread replies of a line | cell/serial_line.hpp | kFullOutbox | 1024
-replies that an RFC 2217 client has suspended | cell/serial_line.hpp | kFullOutbox | 1024
+unread replies of a line | cell/line/serial_line.hpp | kFullOutbox | 1024
+replies that an RFC 2217 client has suspended | cell/line/serial_line.hpp | kFullOutbox | 1024
 replies that `step` and `run_until` wait for, per line | server/lines/arrived.hpp | kMaxReplies | 1048576
-bytes of a line that have not acted yet | cell/line_pace.hpp | kMaxInput
-bytes of all lines of a robot that are due in one advance of real time | cell/cell.hpp | kMaxDueBytes
-bytes of all lines of a robot that are due in one millisecond of the real clock | cell/cell.hpp | kMaxTickBytes
+bytes of a line that have not acted yet | cell/line/pace.hpp | kMaxInput
+bytes of all lines of a robot that are due in one advance of real time | cell/advance.hpp | kMaxDueBytes
+bytes of all lines of a robot that are due in one millisecond of the real clock | cell/advance.hpp | kMaxTickBytes
 time before an inquiry (`--clock bytes`) | protocol/line/byte_clock_settings.hpp | kMaxInquiryMs | 1000
-a run to rest (`--clock bytes`) | cell/cell.hpp | kMaxSleep
+a run to rest (`--clock bytes`) | cell/advance.hpp | kMaxSleep
 a `send` (`--clock bytes`) | server/service/line_calls.cpp | kMaxSendTime | 1000000000
-commands of a line that wait for the physical controller | cell/device_link.hpp | kMaxWaiting
+commands of a line that wait for the physical controller | cell/device/link.hpp | kMaxWaiting
 warnings in the log, per line and simulated second | cell/warning_limiter.hpp | kMaxNotesPerSecond
 monitor connections | server/net/socket_limits.hpp | connections
 a request | protocol/monitor/request.hpp | kMaxMessageBytes | 1024
@@ -66,7 +66,7 @@ free space on the disk of recordings | server/recording/room.hpp | kFreePercent
 all recordings of a run | server/options/options.hpp | record_total_mib
 bytes of a `send` call | protocol/monitor/calls/line.cpp | kMaxSent
 waiting of a call with `after` | protocol/monitor/request.hpp | kMaxWithinMs | 1000
-named snapshots | cell/cell.hpp | kMaxSnapshots
+named snapshots | cell/calls/calls.hpp | kMaxSnapshots
 faults on demand | core/faults/fault.hpp | kMaxFaults
 events of the effects of a fault | core/faults/effects.hpp | kMaxFaultNews
 blocks of a workcell | protocol/files/workcell.hpp | kMaxFileBlocks

@@ -90,7 +90,7 @@ class Commands {
 };
 
 void play(const std::string& data, const char* robot, int count, Digest& digest) {
-  xr3::Cell cell("main", model(data, robot), xr3::SimClock::bytes(), {});
+  xr3::Cell cell("main", model(data, robot), xr3::SimClock::bytes());
   cell.set_byte_clock({.inquiry_ms = kInquiryMs});
   xr3::StateHasher hasher;
   Commands commands;

@@ -12,7 +12,7 @@ namespace xr3::seeds {
 class Reference::Machine {
  public:
   Machine(ModelPtr model, LineKind kind)
-      : cell("reference", std::move(model), SimClock::manual(), nullptr),
+      : cell("reference", std::move(model), SimClock::manual()),
         line(cell.apply(LineOpened{"test", kind}, 0).line) {}
 
   Cell cell;

@@ -11,11 +11,11 @@ namespace xr3::test {
 
 struct CellHost {
   explicit CellHost(asio::io_context& loop)
-      : io(loop),
-        context{io, turns, worker, [this](HostedCell& at) { on_input(at); }, nullptr, &histories} {}
+      : io(loop), context{io,      turns,     worker, [this](HostedCell& at) { on_input(at); },
+                          nullptr, &histories} {}
 
   /// Adds a cell with a manual clock.
-  HostedCell& add(ModelPtr model, const std::string& name = "main", CellEventSink sink = {}) {
+  HostedCell& add(ModelPtr model, const std::string& name = "main", EventSink sink = {}) {
     CellPtr cell =
         HostedCell::make(context, {name, std::move(model), SimClock::manual(), std::move(sink)});
     cells.add(cell);

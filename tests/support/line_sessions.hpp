@@ -30,7 +30,7 @@ class LineFixture : public testing::Test {
   Cell cell_{"main",
              std::make_shared<const Model>(robot_named("rhino-xr3"), workcell_named("rhino-xr3"),
                                            Profile::kPaper),
-             SimClock::manual(), [](const CellEvent&, const Model&) {}};
+             SimClock::manual()};
   std::vector<LineCloseReason> ended_;  ///< of the sessions that have ended, in order
   LineSessionContext context_{cell_, turns_, [](LineId) {},
                               [this](LineId, LineCloseReason reason) { ended_.push_back(reason); }};

@@ -102,7 +102,7 @@ void RandomInputs::send() {
   const std::string sent = bytes();
   int pieces = 0;
   const int pieces_wanted = static_cast<int>(below(100));
-  cell_.apply(BytesIn{line, sent, [&] { return ++pieces > pieces_wanted; }}, now_);
+  cell_.apply(BytesIn{line, sent}, now_, [&] { return ++pieces > pieces_wanted; });
   const SerialLine& its = *cell_.find_line(line);
   if (its.is_not_a_robot_program())
     return void(cell_.apply(LineClosed{line, LineCloseReason::kNotARobotProgram}, now_));

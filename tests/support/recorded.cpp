@@ -5,7 +5,7 @@
 namespace xr3::test {
 
 RecordedCell::RecordedCell(ModelPtr model, const CellSetup& setup)
-    : cell("main", std::move(model), setup.clock, {}), recorder_([this](recording::Entry entry) {
+    : cell("main", std::move(model), setup.clock), recorder_([this](recording::Entry entry) {
         text_ += writer_.line(entry);
         entries_.push_back(std::move(entry));
       }) {
@@ -13,7 +13,7 @@ RecordedCell::RecordedCell(ModelPtr model, const CellSetup& setup)
   if (!setup.faults.faults.empty()) cell.set_faults(setup.faults);
   if (setup.has_device) cell.connect_device("/dev/arm", *parse_serial_settings("9600-7e2"));
   text_ = writer_.line(recording_header(cell, "xr3 test"));
-  cell.add_log(recorder_);
+  cell.observe(recorder_);
 }
 
 std::string RecordedCell::text() {
@@ -35,7 +35,7 @@ Replayed replay(const std::string& text, std::optional<ReplayTime> until) {
   std::optional<recording::Header> header = reader.header();
   while (!header && add_more()) header = reader.header();
   if (!header) return {};
-  Cell cell(header->cell, header->model, replay_clock(*header), {});
+  Cell cell(header->cell, header->model, replay_clock(*header));
   prepare_replay(cell, *header);
   Replayed result;
   result.program = header->program;

@@ -24,7 +24,7 @@ struct CellSetup {
 class RecordedCell {
  public:
   explicit RecordedCell(ModelPtr model, const CellSetup& setup = {});
-  ~RecordedCell() { cell.remove_log(recorder_); }
+  ~RecordedCell() { cell.end_observation(recorder_); }
 
   /// The whole recording, to its end at the current tick.
   std::string text();

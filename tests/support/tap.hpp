@@ -1,27 +1,26 @@
-// A serial line in memory with its wire records: input goes through the cell's SerialLine, and the
-// records of both directions are formatted as a transcript.
+// The wire records of a serial line in memory, of both directions, formatted as a transcript.
 #pragma once
 
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "cell/serial_line.hpp"
 #include "core/simulation.hpp"
 #include "protocol/explain/wire_record.hpp"
+#include "tests/support/one_line.hpp"
 
 namespace xr3::test {
 
 class Tap {
  public:
-  explicit Tap(ModelPtr model);
+  explicit Tap(ModelPtr model) : one_(std::move(model)) {}
 
   /// Sends bytes at the simulation's tick and returns the transcript of their records: a line `>
   /// bytes` for each input record, `< bytes` for each output record, and below it `from..to code:
   /// message` per item.
   std::string send(std::string_view bytes);
 
-  Simulation& simulation() { return simulation_; }
+  Simulation& simulation() { return one_.cell.machine; }
   const std::vector<WireRecord>& records() const { return records_; }
   /// All bytes that the client has received.
   const std::string& received() const { return received_; }
@@ -29,9 +28,7 @@ class Tap {
  private:
   void receive(std::string_view bytes);
 
-  Simulation simulation_;
-  SerialLine line_;
-  std::vector<Exchange> exchanges_;
+  OneLine one_;
   std::vector<WireRecord> records_;
   std::string received_;
 };

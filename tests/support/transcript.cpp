@@ -150,7 +150,9 @@ class Player {
     }
   }
 
-  Wire& wire(int number) { return wires_.try_emplace(number, transcript_.profile).first->second; }
+  Wire& wire(int number) {
+    return wires_.try_emplace(number, simulation_.model_ptr()).first->second;
+  }
 
   void expect(int line_number, int number, std::string_view bytes) {
     const std::string received = wire(number).received();

@@ -1,5 +1,6 @@
 #include "tests/support/wire.hpp"
 
+#include <utility>
 #include <variant>
 
 #include "protocol/explain/diagnostic.hpp"
@@ -7,14 +8,14 @@
 namespace xr3::test {
 
 void Wire::send(std::string_view bytes, Simulation& simulation) {
-  simulation.take_events();
-  line_.receive(bytes, simulation, exchanges_);
-}
-
-std::string Wire::received() {
-  std::string bytes(line_.outbox());
-  line_.sent(bytes.size(), 0);
-  return bytes;
+  std::swap(one_.cell.machine, simulation);  // it is lent to the line
+  while (!bytes.empty() && !is_closed()) {
+    const std::size_t taken = one_.receive(bytes);
+    exchanges_.insert(exchanges_.end(), one_.exchanges().begin(), one_.exchanges().end());
+    bytes.remove_prefix(taken);
+    if (taken == 0) break;
+  }
+  std::swap(one_.cell.machine, simulation);
 }
 
 std::vector<std::string> Wire::problems() const {

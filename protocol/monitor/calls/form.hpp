@@ -9,7 +9,7 @@
 // run on an empty object: the reader then lists the arguments that were requested and their allowed
 // values, so that checks and description cannot differ. The write function is the inverse: it
 // writes the arguments of an executed call into a recording, from which a replay reads them again.
-// The cell executes the calls (cell/calls.cpp), the server those without a write function.
+// The cell executes the calls (cell/calls/), the server those without a write function.
 #pragma once
 
 #include <nlohmann/json.hpp>

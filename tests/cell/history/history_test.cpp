@@ -15,7 +15,7 @@ constexpr std::size_t kAmple = std::size_t{64} << 20U;
 struct Kept {
   explicit Kept(Tick longest = 3'600'000, std::size_t budget_bytes = kAmple)
       : budget(budget_bytes),
-        cell("main", test::rhino(), SimClock::real({}, 0), {}),
+        cell("main", test::rhino(), SimClock::real({}, 0)),
         history(cell, longest, budget) {
     cell.apply(LineOpened{"test"}, 0);
   }
@@ -48,7 +48,7 @@ struct Kept {
 
 TEST(History, BeginsWithTheFirstInput) {
   monitor::ByteBudget budget(kAmple);
-  Cell cell("main", test::rhino(), SimClock::real({}, 0), {});
+  Cell cell("main", test::rhino(), SimClock::real({}, 0));
   const History history(cell, 1000, budget);
   cell.catch_up(500 * kHistoryMs);
   EXPECT_TRUE(history.epochs().empty());
@@ -82,8 +82,9 @@ TEST(History, UnchangedBlocksAreShared) {
   const HistoryPartPtr first = kept.history.part_before({0, 0});
   const HistoryPartPtr last = kept.history.part_before({0, kept.cell.state().tick});
   ASSERT_NE(first->from(), last->from());
-  EXPECT_TRUE(first->start.state.blocks.is_shared_with(last->start.state.blocks));
-  EXPECT_TRUE(first->start.state.blocks.is_shared_with(kept.cell.state().blocks));
+  EXPECT_TRUE(
+      first->start.machine.state().blocks.is_shared_with(last->start.machine.state().blocks));
+  EXPECT_TRUE(first->start.machine.state().blocks.is_shared_with(kept.cell.state().blocks));
 }
 
 TEST(History, TheLongestTimeIsKept) {
@@ -148,7 +149,7 @@ TEST(History, APartThatWasGivenDoesNotChange) {
 
 TEST(History, BeginsAnewAfterLongQueues) {
   monitor::ByteBudget budget(kAmple);
-  Cell cell("main", test::rhino(), SimClock::real({}, 0), {});
+  Cell cell("main", test::rhino(), SimClock::real({}, 0));
   cell.set_line_speed({parse_serial_settings("300-8n1"), {}});
   const History history(cell, 3'600'000, budget);
   const LineId monitor = cell.apply(LineOpened{"monitor", LineKind::kMonitor}, 0).line;
@@ -188,7 +189,7 @@ TEST(History, TheNumberOfPartsIsLimited) {
 
 TEST(History, TriesRarelyIfOnePartIsTooMuch) {
   monitor::ByteBudget budget(100);
-  Cell cell("main", test::rhino(), SimClock::real({}, 0), {});
+  Cell cell("main", test::rhino(), SimClock::real({}, 0));
   const History history(cell, 3'600'000, budget);
   cell.apply(LineOpened{"test"}, 0);
   for (int ms = 1; ms < 5000; ++ms) cell.apply(BytesIn{1, "E?"}, ms * kHistoryMs);

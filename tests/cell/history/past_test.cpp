@@ -25,16 +25,16 @@ Past past_at(const Cell& cell, const History& history, const ReplayTime& time) {
 
 /// The states that a cell has had after its inputs and advances. Of several at one tick, the last
 /// counts.
-class States : public InputLog {
+class States : public CellObserver {
  public:
-  explicit States(Cell& cell) : cell_(cell) { cell.add_log(*this); }
-  ~States() override { cell_.remove_log(*this); }
+  explicit States(Cell& cell) : cell_(cell) { cell.observe(*this); }
+  ~States() override { cell_.end_observation(*this); }
 
   std::map<ReplayTime, State> all;
 
  private:
-  void end(const Cell& cell, const Input&, const Applied&) override { note(cell); }
-  void after_advance(const Cell& cell) override { note(cell); }
+  void before(const Cell& cell, const Input&) override { note(cell); }
+  void after(const Cell& cell, const Input&, const Applied&) override { note(cell); }
 
   void note(const Cell& cell) { all[{cell.epoch(), cell.state().tick}] = cell.state(); }
 
@@ -50,7 +50,7 @@ bool ends_epoch(const std::map<ReplayTime, State>& all, const ReplayTime& time) 
 RC_GTEST_PROP(Past, EachMomentIsMadeAgain, ()) {
   monitor::ByteBudget budget(kPastBudget);
   const bool is_real = *rc::gen::arbitrary<bool>();
-  Cell cell("main", past_model(), is_real ? SimClock::real({}, 0) : SimClock::manual(), {});
+  Cell cell("main", past_model(), is_real ? SimClock::real({}, 0) : SimClock::manual());
   if (*rc::gen::arbitrary<bool>()) cell.set_line_speed({parse_serial_settings("9600-7e2"), {}});
   const History history(cell, 3'600'000, budget);
   const States states(cell);
@@ -66,7 +66,7 @@ RC_GTEST_PROP(Past, EachMomentIsMadeAgain, ()) {
 
 TEST(Past, AMomentBetweenInputs) {
   monitor::ByteBudget budget(kPastBudget);
-  Cell cell("main", past_model(), SimClock::real({}, 0), {});
+  Cell cell("main", past_model(), SimClock::real({}, 0));
   const History history(cell, 3'600'000, budget);
   cell.apply(LineOpened{"test"}, 0);
   cell.apply(BytesIn{1, "E+100\r"}, 5'000'000);
@@ -82,7 +82,7 @@ TEST(Past, AMomentBetweenInputs) {
 
 TEST(Past, ALongStepIsStoppedInItsMiddle) {
   monitor::ByteBudget budget(kPastBudget);
-  Cell cell("main", past_model(), SimClock::manual(), {});
+  Cell cell("main", past_model(), SimClock::manual());
   const History history(cell, 3'600'000, budget);
   cell.apply(LineOpened{"test"}, 0);
   cell.apply(BytesIn{1, "E+100\r"}, 0);
@@ -94,7 +94,7 @@ TEST(Past, ALongStepIsStoppedInItsMiddle) {
 
 TEST(Past, TheByteClockStopsWithinARead) {
   monitor::ByteBudget budget(kPastBudget);
-  Cell cell("main", past_model(), SimClock::bytes(), {});
+  Cell cell("main", past_model(), SimClock::bytes());
   cell.set_byte_clock({});
   const History history(cell, 3'600'000, budget);
   cell.apply(LineOpened{"test"}, 0);
@@ -110,7 +110,7 @@ TEST(Past, TheByteClockStopsWithinARead) {
 
 TEST(Past, AHistoryBeginsWhileTheByteClockIsPaused) {
   monitor::ByteBudget budget(kPastBudget);
-  Cell cell("main", past_model(), SimClock::bytes(), {});
+  Cell cell("main", past_model(), SimClock::bytes());
   cell.set_byte_clock({});
   cell.apply(Input{call::Call{call::Pause{}}}, 0);
   const History history(cell, 3'600'000, budget);

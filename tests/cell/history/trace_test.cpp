@@ -44,16 +44,16 @@ std::vector<Tick> ticks_of(const PastTrace& trace) {
 }
 
 /// The times of the inputs of a cell.
-class InputTimes : public InputLog {
+class InputTimes : public CellObserver {
  public:
-  explicit InputTimes(Cell& cell) : cell_(cell) { cell.add_log(*this); }
-  ~InputTimes() override { cell_.remove_log(*this); }
+  explicit InputTimes(Cell& cell) : cell_(cell) { cell.observe(*this); }
+  ~InputTimes() override { cell_.end_observation(*this); }
 
   std::set<ReplayTime> times;
 
  private:
-  void begin(const Cell& cell, const Input&) override { note(cell); }
-  void end(const Cell& cell, const Input&, const Applied&) override { note(cell); }
+  void before(const Cell& cell, const Input&) override { note(cell); }
+  void after(const Cell& cell, const Input&, const Applied&) override { note(cell); }
   void note(const Cell& cell) { times.insert({cell.epoch(), cell.state().tick}); }
 
   Cell& cell_;
@@ -62,7 +62,7 @@ class InputTimes : public InputLog {
 RC_GTEST_PROP(PastTrace, HasTheStatesThatALookShows, ()) {
   monitor::ByteBudget budget(kTraceBudget);
   const bool is_real = *rc::gen::arbitrary<bool>();
-  Cell cell("main", traced_model(), is_real ? SimClock::real({}, 0) : SimClock::manual(), {});
+  Cell cell("main", traced_model(), is_real ? SimClock::real({}, 0) : SimClock::manual());
   const History history(cell, kHour, budget);
   const InputTimes inputs(cell);
   test::RandomInputs(cell, *rc::gen::arbitrary<std::uint32_t>()).play(*rc::gen::inRange(1, 150));
@@ -85,7 +85,7 @@ RC_GTEST_PROP(PastTrace, HasTheStatesThatALookShows, ()) {
 
 TEST(PastTrace, LeavesOutTheStatesOfARestButTheFirstAndTheLast) {
   monitor::ByteBudget budget(kTraceBudget);
-  Cell cell("main", traced_model(), SimClock::real({}, 0), {});
+  Cell cell("main", traced_model(), SimClock::real({}, 0));
   const History history(cell, kHour, budget);
   cell.apply(LineOpened{"test"}, 0);
   cell.apply(BytesIn{1, "E+10\r"}, 5'000'000'000);
@@ -102,7 +102,7 @@ TEST(PastTrace, LeavesOutTheStatesOfARestButTheFirstAndTheLast) {
 
 TEST(PastTrace, EndsWithItsPart) {
   monitor::ByteBudget budget(kTraceBudget);
-  Cell cell("main", traced_model(), SimClock::manual(), {});
+  Cell cell("main", traced_model(), SimClock::manual());
   const History history(cell, kHour, budget);
   cell.apply(LineOpened{"test"}, 0);
   for (int i = 0; i < 30; ++i) {
@@ -121,7 +121,7 @@ TEST(PastTrace, EndsWithItsPart) {
 
 TEST(PastTrace, TheByteClockGivesAStateAfterItsInputs) {
   monitor::ByteBudget budget(kTraceBudget);
-  Cell cell("main", traced_model(), SimClock::bytes(), {});
+  Cell cell("main", traced_model(), SimClock::bytes());
   cell.set_byte_clock({});
   const History history(cell, kHour, budget);
   cell.apply(LineOpened{"test"}, 0);
@@ -135,7 +135,7 @@ TEST(PastTrace, TheByteClockGivesAStateAfterItsInputs) {
 
 TEST(PastTrace, AnEpochBeginsWithinItsPart) {
   monitor::ByteBudget budget(kTraceBudget);
-  Cell cell("main", traced_model(), SimClock::manual(), {});
+  Cell cell("main", traced_model(), SimClock::manual());
   const History history(cell, kHour, budget);
   cell.apply(LineOpened{"test"}, 0);
   cell.apply(Input{call::Call{call::Step{5000}}}, 0);
@@ -147,7 +147,7 @@ TEST(PastTrace, AnEpochBeginsWithinItsPart) {
 
 TEST(PastTrace, AnEpochEndsIt) {
   monitor::ByteBudget budget(kTraceBudget);
-  Cell cell("main", traced_model(), SimClock::manual(), {});
+  Cell cell("main", traced_model(), SimClock::manual());
   const History history(cell, kHour, budget);
   cell.apply(LineOpened{"test"}, 0);
   cell.apply(BytesIn{1, "E+90\r"}, 0);

@@ -18,7 +18,7 @@ ModelPtr observed_model() {
 /// A cell with the byte clock, an open line and an observer.
 struct ObservedCell {
   explicit ObservedCell(std::vector<Goal> all = {})
-      : goals{"", std::move(all)}, cell("main", observed_model(), SimClock::bytes(), {}) {
+      : goals{"", std::move(all)}, cell("main", observed_model(), SimClock::bytes()) {
     cell.set_byte_clock({});
     observer.emplace(cell, goals);
     cell.apply(LineOpened{"test"}, 0);

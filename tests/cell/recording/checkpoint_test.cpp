@@ -1,7 +1,6 @@
-#include "cell/recording/checkpoint.hpp"
-
 #include <gtest/gtest.h>
 
+#include "cell/cell.hpp"
 #include "cell/recording/replayer.hpp"
 #include "tests/support/models.hpp"
 #include "tests/support/recorded.hpp"
@@ -27,12 +26,12 @@ TEST(Checkpoint, InputsHaveTheSameEffectAfterIt) {
       test::rhino(), {SimClock::real({}, 0), LineSpeed{parse_serial_settings("2400-8n1"), {}}});
   for (int i = 0; i < 2; ++i) recorded.cell.apply(LineOpened{"test"}, 0);
   for (int ms = 1; ms < 400; ++ms) disturb(recorded.cell, ms);
-  const Cell::Checkpoint checkpoint = recorded.cell.checkpoint();
+  const Rewindable checkpoint = recorded.cell.checkpoint();
   const std::string middle = StateHasher().hash(recorded.cell);
   const std::size_t before = recorded.entries().size();
   for (int ms = 400; ms < 1000; ++ms) disturb(recorded.cell, ms);
 
-  Cell other("other", test::rhino(), SimClock::real({}, 0), {});
+  Cell other("other", test::rhino(), SimClock::real({}, 0));
   other.set_line_speed({parse_serial_settings("2400-8n1"), {}});
   for (int times = 0; times < 2; ++times) {  // the second time from where the first has come to
     other.restore(checkpoint);
@@ -47,16 +46,18 @@ TEST(Checkpoint, InputsHaveTheSameEffectAfterIt) {
 }
 
 TEST(Checkpoint, ItIsAValue) {
-  Cell cell("main", test::rhino(), SimClock::manual(), {});
+  Cell cell("main", test::rhino(), SimClock::manual());
   cell.apply(LineOpened{"test"}, 0);
   cell.apply(BytesIn{1, "E+40\rE"}, 0);
-  const Cell::Checkpoint checkpoint = cell.checkpoint();
+  const Rewindable checkpoint = cell.checkpoint();
   const std::string before = StateHasher().hash(cell);
   cell.apply(BytesIn{1, "?"}, 0);
   cell.apply(LineClosed{1, LineCloseReason::kClientClosed}, 0);
   cell.apply(Input{call::Call{call::Step{500}}}, 0);
   EXPECT_NE(StateHasher().hash(cell), before);
+  EXPECT_FALSE(cell.checkpoint() == checkpoint);
   cell.restore(checkpoint);
+  EXPECT_TRUE(cell.checkpoint() == checkpoint);
   EXPECT_EQ(StateHasher().hash(cell), before);
   EXPECT_EQ(cell.find_line(1)->outbox(), "");
 }

@@ -72,7 +72,7 @@ TEST(Recorder, UnsentRepliesAndCutReadsAreTold) {
   cell.apply(BytesIn{1, "A?A?"}, 0);
   cell.sent({1, 1});
   cell.apply(BytesIn{1, "A?"}, 0);
-  cell.apply(BytesIn{1, std::string(100, '?'), [] { return true; }}, 0);
+  cell.apply(BytesIn{1, std::string(100, '?')}, 0, [] { return true; });
   const auto& last = std::get<recording::LineInput>(recorded.entries().back().body);
   EXPECT_EQ(last.bytes, std::string(64, '?'));
   EXPECT_EQ(last.unsent, 2U);

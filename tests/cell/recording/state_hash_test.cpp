@@ -9,7 +9,7 @@ namespace {
 
 /// The digest after bytes on a line of a cell with the manual clock.
 std::string hash_after(std::string_view bytes, std::size_t sent = 0) {
-  Cell cell("main", test::rhino(), SimClock::manual(), {});
+  Cell cell("main", test::rhino(), SimClock::manual());
   cell.apply(LineOpened{"test"}, 0);
   cell.apply(BytesIn{1, bytes}, 0);
   cell.sent({1, sent});
@@ -31,7 +31,7 @@ TEST(StateHash, DoesNotDependOnWhatTheTransportHasSent) {
 }
 
 TEST(StateHash, DependsOnTheModelAndTheClocksRemainder) {
-  Cell cell("main", test::rhino(), SimClock::manual(), {});
+  Cell cell("main", test::rhino(), SimClock::manual());
   Cell other("main", test::roomy_rhino(), SimClock::manual(), {});
   StateHasher hasher;
   EXPECT_NE(hasher.hash(cell), hasher.hash(other));

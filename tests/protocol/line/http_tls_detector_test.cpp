@@ -73,7 +73,7 @@ TEST(HttpTlsDetector, ARequestDoesNotChangeTheState) {
   for (const std::string_view greeting : kGreetings) {
     Simulation simulation(test::rhino());
     const State before = simulation.state();
-    Wire wire(Profile::kPaper);
+    Wire wire(simulation.model_ptr());
     wire.send(std::string(greeting) + "E+5\r HTTP/1.1\r\nHost: localhost\r\n\r\nE+100\rP1LNO\r",
               simulation);
     EXPECT_TRUE(wire.is_closed()) << greeting;
@@ -103,7 +103,7 @@ TEST(HttpTlsDetector, TheFirstDifferentByteReleasesAllBytes) {
         if (bytes.substr(0, greeting.size()) == greeting) continue;
         Simulation simulation(test::rhino());
         Simulation unguarded(test::rhino());
-        Wire wire(Profile::kPaper);
+        Wire wire(simulation.model_ptr());
         wire.send(bytes, simulation);
         EXPECT_FALSE(wire.is_closed()) << readable(bytes);
         EXPECT_EQ(hexadecimal(wire.received()), hexadecimal(without_guard(bytes, unguarded)))
@@ -233,7 +233,7 @@ TEST(HttpTlsDetector, DetectsEveryStunMessageThatMayComeFirst) {
 
 TEST(HttpTlsDetector, PassesEverythingLater) {
   Simulation simulation(test::rhino());
-  Wire wire(Profile::kPaper);
+  Wire wire(simulation.model_ptr());
   wire.send("\r", simulation);
   for (const std::string_view greeting : kGreetings)
     wire.send(std::string(greeting) + "\r", simulation);
@@ -244,7 +244,7 @@ TEST(HttpTlsDetector, PassesEverythingLater) {
 
 TEST(HttpTlsDetector, HeldBytesKeepTheirPosition) {
   Simulation simulation(test::rhino());
-  Wire wire(Profile::kPaper);
+  Wire wire(simulation.model_ptr());
   wire.send("CONZ", simulation);
   ASSERT_EQ(wire.exchanges().size(), 3U);  // O, N, and the unknown byte Z; C is only a label
   EXPECT_EQ(wire.exchanges()[0].parsed.to, 2U);

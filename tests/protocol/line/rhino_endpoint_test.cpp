@@ -52,7 +52,7 @@ TEST(RhinoEndpoint, RepliesToInquiries) {
   for (const ReplyRow& row : kRows) {
     for (const Profile profile : {Profile::kPaper, Profile::kMark3}) {
       Rig rig(test::rhino(profile));
-      Wire wire(profile);
+      Wire wire(rig.simulation.model_ptr());
       wire.send(row.bytes, rig.simulation);
       const std::string_view wanted = profile == Profile::kPaper ? row.paper : row.mark3;
       EXPECT_EQ(hexadecimal(wire.received()), hexadecimal(wanted))
@@ -63,7 +63,7 @@ TEST(RhinoEndpoint, RepliesToInquiries) {
 
 TEST(RhinoEndpoint, RepliesAtTheLastByteOfAnInquiry) {
   Rig rig;
-  Wire wire(Profile::kPaper);
+  Wire wire(rig.simulation.model_ptr());
   wire.send("E", rig.simulation);
   EXPECT_EQ(wire.received(), "");
   wire.send("?", rig.simulation);
@@ -72,7 +72,7 @@ TEST(RhinoEndpoint, RepliesAtTheLastByteOfAnInquiry) {
 
 TEST(RhinoEndpoint, AMoveStartsAtTheByteAfterItsNumber) {
   Rig rig;
-  Wire wire(Profile::kPaper);
+  Wire wire(rig.simulation.model_ptr());
   wire.send("E+5", rig.simulation);
   EXPECT_EQ(rig.error('E'), 0);
   wire.send("\r", rig.simulation);
@@ -81,8 +81,8 @@ TEST(RhinoEndpoint, AMoveStartsAtTheByteAfterItsNumber) {
 
 TEST(RhinoEndpoint, LinesShareTheMachineButNotTheParser) {
   Rig rig;
-  Wire one(Profile::kPaper);
-  Wire other(Profile::kPaper);
+  Wire one(rig.simulation.model_ptr());
+  Wire other(rig.simulation.model_ptr());
   one.send("E+1", rig.simulation);
   other.send("D+7\rE", rig.simulation);
   one.send("2\r", rig.simulation);
@@ -95,8 +95,8 @@ TEST(RhinoEndpoint, LinesShareTheMachineButNotTheParser) {
 
 TEST(RhinoEndpoint, ADisabledSimulatorIgnoresAllLines) {
   Rig rig;
-  Wire one(Profile::kPaper);
-  Wire other(Profile::kPaper);
+  Wire one(rig.simulation.model_ptr());
+  Wire other(rig.simulation.model_ptr());
   rig.move('E', 50);
   other.send("E+1", rig.simulation);
   one.send("A@", rig.simulation);
@@ -112,7 +112,7 @@ TEST(RhinoEndpoint, ADisabledSimulatorIgnoresAllLines) {
 TEST(RhinoEndpoint, AnExchangeListsTheItemsOfTheBytes) {
   Rig rig;
   rig.pass(40);
-  Wire wire(Profile::kPaper);
+  Wire wire(rig.simulation.model_ptr());
   wire.send("E+100 +100\rE?Z", rig.simulation);
   ASSERT_EQ(wire.exchanges().size(), 4U);
   const Exchange& first = wire.exchanges()[0];
@@ -147,7 +147,7 @@ TEST(RhinoEndpoint, ResetDiscardsAnIncompleteCommand) {
 TEST(RhinoEndpoint, OnlyInquiriesHaveReplies) {
   RandomBytes random(4);
   Rig rig;
-  Wire wire(Profile::kPaper);
+  Wire wire(rig.simulation.model_ptr());
   for (int i = 0; i < 20'000; ++i) {
     const std::size_t before = wire.exchanges().size();
     wire.send(std::string(1, static_cast<char>(random.below(256))), rig.simulation);
@@ -189,7 +189,7 @@ struct Outcome {
 Outcome live(const std::vector<Moment>& day, Profile profile, RandomBytes& random,
              std::uint32_t most_bytes) {
   Rig rig(test::rhino(profile));
-  Wire wire(profile);
+  Wire wire(rig.simulation.model_ptr());
   for (const Moment& moment : day) {
     for (std::string_view rest = moment.bytes; !rest.empty();) {
       const std::size_t size = std::min<std::size_t>(rest.size(), 1 + random.below(most_bytes));

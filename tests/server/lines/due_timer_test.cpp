@@ -15,7 +15,7 @@ namespace {
 class DueTimerTest : public testing::Test {
  protected:
   void ask(const SimClock& clock) {
-    cell_.emplace("main", test::rhino(), clock, [](const CellEvent&, const Model&) {});
+    cell_.emplace("main", test::rhino(), clock);
     cell_->set_line_speed({parse_serial_settings("1200-8n1"), {}});
     timer_.emplace(io_, *cell_, [this] { ++advances_; });
     line_ = cell_->apply(LineOpened{"test"}, wall_now()).line;

@@ -67,7 +67,7 @@ class LineSessionsTest : public testing::Test {
 
   asio::io_context io_{1};
   LineTurns turns_{io_};
-  Cell cell_{"main", test::rhino(), SimClock::manual(), [](const CellEvent&, const Model&) {}};
+  Cell cell_{"main", test::rhino(), SimClock::manual()};
   LineSessions lines_{turns_, cell_, [] {}};
   NotingSource source_;
   std::optional<bool> has_come_;

@@ -42,7 +42,7 @@ class SilenceTimerTest : public testing::Test {
 
   asio::io_context io_{1};
   LineTurns turns_{io_};
-  Cell cell_{"main", test::rhino(), SimClock::bytes(), [](const CellEvent&, const Model&) {}};
+  Cell cell_{"main", test::rhino(), SimClock::bytes()};
   NoSource source_;
   LineSessions lines_{turns_, cell_, [] {}};
   int rests_ = 0;

@@ -8,6 +8,7 @@
 #include "server/files/data_files.hpp"
 #include "server/net/wall_clock.hpp"
 #include "tests/support/models.hpp"
+#include "tests/support/on_event.hpp"
 #include "tests/support/recorded.hpp"
 
 namespace xr3 {
@@ -21,12 +22,7 @@ DiskSpace unknown_space(const std::string&) { return {}; }
 
 class CellRecording : public testing::Test {
  protected:
-  CellRecording()
-      : cell_("main", test::rhino(), SimClock::manual(),
-              [this](const CellEvent& event, const Model&) {
-                if (const auto* note = std::get_if<RecordingNote>(&event.note))
-                  failures_.push_back(note->why);
-              }) {
+  CellRecording() : cell_("main", test::rhino(), SimClock::manual()) {
     std::string name = (fs::temp_directory_path() / "xr3-recording-XXXXXX").string();
     folder_ = ::mkdtemp(name.data());
   }
@@ -43,6 +39,10 @@ class CellRecording : public testing::Test {
   asio::io_context io_;
   std::vector<std::string> failures_;
   Cell cell_;
+  test::OnEvent on_event_{cell_, [this](const CellEvent& event) {
+                            if (const auto* note = std::get_if<RecordingNote>(&event.note))
+                              failures_.push_back(note->why);
+                          }};
   int acted_ = 0;
 };
 

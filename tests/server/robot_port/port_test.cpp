@@ -11,6 +11,7 @@
 #include "cell/failure.hpp"
 #include "server/net/spawn.hpp"
 #include "tests/support/models.hpp"
+#include "tests/support/on_event.hpp"
 #include "tests/support/tcp_client.hpp"
 
 namespace xr3 {
@@ -73,9 +74,10 @@ class RobotPortTest : public testing::Test {
   Cell cell_{"main",
              std::make_shared<const Model>(test::robot_named("rhino-xr3"),
                                            test::workcell_named("rhino-xr3"), Profile::kPaper),
-             SimClock::manual(), [this](const CellEvent&, const Model&) {
-               if (fails_) throw std::bad_alloc();
-             }};
+             SimClock::manual()};
+  test::OnEvent on_event_{cell_, [this](const CellEvent&) {
+                            if (fails_) throw std::bad_alloc();
+                          }};
   LineTurns turns_{io_};
   LineSessions lines_{turns_, cell_, [] {}};
   RobotPort port_{io_, cell_, lines_, {kMaxLines, Guard::kOff}};
@@ -226,7 +228,7 @@ class OwnedPortTest : public testing::Test {
   }
 
   asio::io_context io_{1};
-  Cell cell_{"main", test::rhino(), SimClock::manual(), {}};
+  Cell cell_{"main", test::rhino(), SimClock::manual()};
   LineTurns turns_{io_};
   LineSessions lines_{turns_, cell_, [] {}};
   RobotPort port_{io_, cell_, lines_, {kMaxLines, Guard::kNormal, PeerCounts(), WallNs{0}}};
