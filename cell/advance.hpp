@@ -32,8 +32,8 @@ void simulate(CellState& cell, Tick target, CellOutput& out);
 
 /// The tick at which the next byte of a line is due; nullopt: none is.
 std::optional<Tick> next_due(const CellState& cell);
-/// The tick by which time must have advanced even if nobody asks for anything: a byte is due, or a
-/// fault begins or ends. At most kMaxSleep ahead; nullopt: none.
+/// The tick at which the owner must advance time without any input: a byte is due, or a fault
+/// begins or ends. At most kMaxSleep ahead; nullopt if there is none.
 std::optional<Tick> next_wake(const CellState& cell);
 
 /// Enters what is due on a line into the agenda, after the line has changed.

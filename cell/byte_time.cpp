@@ -150,7 +150,8 @@ void note_settings(CellState& cell, const SerialLine& line, const SerialSettings
   if (is_late && line.settings() != reported) mark(cell, TranscriptMark::kNotBytesAlone);
 }
 
-// What has acted on the open lines depends on time.
+// How many bytes of the open lines acted before the new epoch depends on wall time, so its
+// transcript is not a function of the bytes alone.
 void restart_bytes(CellState& cell) {
   if (cell.byte_clock) cell.byte_clock->restart();
   if (!cell.transcript) return;

@@ -24,10 +24,11 @@ void end_turn(CellState& cell, LineCloseReason reason, CellOutput& out);
 
 // --- Time. No effect unless bytes move it.
 
-/// A byte is about to act: time passes, in which a fault may cut the line. Returns whether the line
-/// still obeys.
+/// Lets the time of a character pass before its byte acts. Returns false if a fault has cut the
+/// line in that time: the byte must not act.
 bool pass_character(CellState& cell, SerialLine& line, std::uint8_t byte, CellOutput& out);
-/// The same before a command is executed.
+/// Lets the time of an inquiry pass before it is executed; other commands take none. Returns false
+/// if a fault has cut the line: the command must not be executed.
 bool pass_command(CellState& cell, SerialLine& line, const Command& command, CellOutput& out);
 /// The replies that have left take their time, and time jumps over what holds back others.
 void pass_delays(CellState& cell, CellOutput& out);

@@ -140,7 +140,7 @@ const Rewindable& Cell::checkpoint() const {
   return state_;
 }
 
-// The revision goes on, so that nobody takes the old state for the new one.
+// The revision is incremented, not restored: frames that were encoded for it would be reused.
 void Cell::restore(const Rewindable& from) {
   assert(!state_.device);
   static_cast<Rewindable&>(state_) = from;
@@ -190,7 +190,7 @@ void Cell::report_closed() {
   output_.hand_over();
 }
 
-// --- What it is.
+// --- Queries.
 
 Snapshot Cell::snapshot() const {
   std::optional<DeviceStatus> status;

@@ -5,10 +5,10 @@
 // The flow through the folder: a cell is a value (state.hpp), and each way into it is one, too
 // (input.hpp). apply.hpp has a case for each input. Bytes of a line go through receive.hpp to the
 // command that they complete, and its reply through reply.hpp to the outbox; line/ has the stages
-// on their way. calls/ has the effect of each call. advance.hpp lets time pass, byte_time.hpp by
-// the bytes alone. What comes of it is collected (output.hpp, events.hpp) and handed to the rings
-// and to observers (observer.hpp): recording/ records and replays, history/ keeps the past, judge/
-// collects facts. None of these is known below cell.hpp.
+// on their way. calls/ has the effect of each call. advance.hpp lets time pass, and with a byte
+// clock byte_time.hpp does. The results, such as events and replies, are collected (output.hpp,
+// events.hpp) and handed to the observers (observer.hpp), then to the rings: recording/ records and
+// replays, history/ keeps the past, judge/ collects facts. Only cell.hpp knows observers.
 #pragma once
 
 #include <cstddef>
@@ -31,7 +31,7 @@ namespace xr3 {
 
 class Cell final {
  public:
-  /// `budget` is that of the rings and must outlive the cell; null: none.
+  /// `budget` limits the memory of the rings and must outlive the cell; nullptr for no limit.
   Cell(std::string name, ModelPtr model, SimClock clock, monitor::ByteBudget* budget = nullptr);
   Cell(const Cell&) = delete;
   Cell& operator=(const Cell&) = delete;
@@ -98,7 +98,7 @@ class Cell final {
   void report_opened();
   void report_closed();
 
-  // --- What it is, as of the last apply() or catch_up().
+  // --- Queries. They tell the state after the last apply() or catch_up().
 
   const CellState& value() const { return state_; }
   const std::string& name() const { return state_.name; }

@@ -25,7 +25,7 @@ void execute(CellState& cell, SerialLine& line, const std::vector<Parsed>& items
   if (cell.device && was_enabled && !cell.state().enabled) cell.device->engage(true);
   if (reply.empty()) return;
   const wire::Answered meaning = answer_of(out.talk.exchanges.back());
-  answer(cell, line, std::move(reply), meaning, now, out);
+  answer(cell, line, reply, meaning, now, out);
 }
 
 void interpret(CellState& cell, SerialLine& line, const ReceivedByte& in, Micros now,

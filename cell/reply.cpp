@@ -17,7 +17,7 @@ void send(CellState& cell, SerialLine& line, std::string_view reply, const wire:
 
 }  // namespace
 
-void answer(CellState& cell, SerialLine& line, std::string reply, const wire::Meaning& meaning,
+void answer(CellState& cell, SerialLine& line, std::string_view reply, const wire::Meaning& meaning,
             Micros now, CellOutput& out) {
   const State& state = cell.state();
   LineFaults* faults = line.faults();

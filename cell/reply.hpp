@@ -2,7 +2,6 @@
 // or delay it, the client may have suspended it, and with a speed it takes its time.
 #pragma once
 
-#include <string>
 #include <string_view>
 
 #include "cell/output.hpp"
@@ -11,7 +10,7 @@
 namespace xr3 {
 
 /// A command has its reply at `now`.
-void answer(CellState& cell, SerialLine& line, std::string reply, const wire::Meaning& meaning,
+void answer(CellState& cell, SerialLine& line, std::string_view reply, const wire::Meaning& meaning,
             Micros now, CellOutput& out);
 /// A reply goes on behind the faults: into the outbox, unless it must wait.
 void pass_on(CellState& cell, SerialLine& line, std::string_view reply,

@@ -1,9 +1,9 @@
 // A virtual serial line as stages of values. In: the detector of HTTP and TLS clients, the telnet
-// filter, bytes at the speed of a serial port, faults, the parser. Out: replies that faults delay
-// that the client has suspended, or that are under way at the speed of the port, then
-// telnet and the outbox. The line passes nothing on by itself: cell/receive.hpp and cell/reply.hpp
-// carry the bytes from stage to stage. No sockets: the transport is TCP, a pseudo-terminal, a
-// monitor session or a test.
+// filter, bytes at the speed of a serial port, faults, the parser. Out: replies that faults delay,
+// that the client has suspended, or that are under way at the speed of the port, then telnet and
+// the outbox. The line passes nothing on by itself: cell/receive.hpp and cell/reply.hpp carry the
+// bytes from stage to stage. No sockets: the transport is TCP, a pseudo-terminal, a monitor session
+// or a test.
 #pragma once
 
 #include <cstdint>
@@ -81,8 +81,8 @@ class SerialLine {
   void reset() { endpoint_.reset(); }
   /// The parser of commands for a physical controller; see cell/device.hpp.
   RhinoParser& device_parser() { return device_parser_; }
-  /// Returns whether the simulator was switched since the last call, of which `switches` is the
-  /// number: commands that were unfinished then are discarded.
+  /// Discards unfinished commands if the simulator was switched since the last call. `switches`:
+  /// how often it was switched in all.
   void drop_unfinished(std::uint64_t switches);
 
   /// The faults that act on the line; nullptr: none do.
