@@ -73,9 +73,10 @@ class Judge:
             self.assertEqual(code, done.returncode, f"{done.stdout}{done.stderr}")
         return done
 
-    def judge(self, program, *options, code=0, **more):
+    def judge(self, program, *options, words=(), code=0, **more):
+        """Runs the program with `words` as its arguments."""
         self.write("program.py", program)
-        return self.run_xr3("exec", *options, "--", PYTHON, "program.py", code=code, **more)
+        return self.run_xr3("exec", *options, "--", PYTHON, "program.py", *words, code=code, **more)
 
     def grade(self, *options, code=0, command=(PYTHON, "{}"), **more):
         """Grades the folder `class`; returns what was printed, and {submission: row of the table}."""

@@ -9,15 +9,16 @@ from judge_modes import MOVE, SANDBOX, Judge, Root, User, UserWithoutNamespaces
 
 TOKEN = "sixteen letters!"
 # Asks whether a process of xr3 that it can see, the judge or its keeper, lets it read its environment, its open files and its
-# memory.
+# memory. With arguments: only those that have them on their command lines, since other tests run judges of the same user.
 LOOK = f"""
-import os
+import os, sys
 for pid in filter(str.isdigit, os.listdir("/proc")):
     try:
         command = open(f"/proc/{{pid}}/cmdline", "rb").read()
     except OSError:
         continue
-    if not command.split(b"\\0")[0].endswith(b"xr3"):
+    words = command.split(b"\\0")
+    if not words[0].endswith(b"xr3") or not all(word.encode() in words for word in sys.argv[1:]):
         continue
     for what in "environ", "fd", "mem":
         try:
@@ -59,7 +60,7 @@ class Hidden:
     options = []
 
     def test_the_environment_files_and_memory_of_the_judge_are_out_of_reach(self):
-        done = self.judge(LOOK, *self.options, env={**os.environ, "XR3_TOKEN": TOKEN})
+        done = self.judge(LOOK, *self.options, words=[self.folder.name], env={**os.environ, "XR3_TOKEN": TOKEN})
         self.assertEqual("token False looked", done.stdout.splitlines()[0], done.stdout)
 
 
