@@ -8,8 +8,7 @@
 
 namespace xr3 {
 
-/// `sha256:` and 64 hexadecimal digits. The program that links cell defines it
-/// (server/files/sha256.cpp), so that cell needs no crypto library.
+/// The SHA-256 of the text: `sha256:` and 64 hexadecimal digits.
 std::string sha256(std::string_view text);
 
 /// The digest of robot and profile. A snapshot can be loaded only if it has the same.

@@ -18,16 +18,17 @@ MAX_COLUMNS = 100
 MAX_ROOMS = 32  # a room is a subfolder, or a header with its source
 
 # For each library: the libraries it may include, the start of every <path/> with a folder in it (None if
-# any), and standard headers it may not have. core <- protocol <- cell <- server <- cli, protocol <- tools <- server.
+# any), and standard headers it may not have. core <- protocol <- cell <- service <- server <- cli, protocol <- tools <- server.
 NO_IO = {"thread", "mutex", "shared_mutex", "condition_variable", "future", "iostream", "fstream",
          "chrono", "ctime", "filesystem"}
 RULES = {
     "core": (("core/",), ("Eigen/",), NO_IO),
     "protocol": (("core/", "protocol/"), ("Eigen/", "nlohmann/"), NO_IO),
     "cell": (("core/", "protocol/", "cell/"), ("Eigen/", "nlohmann/"), NO_IO),
+    "service": (("core/", "protocol/", "cell/", "service/"), ("Eigen/", "nlohmann/"), NO_IO),
     "tools": (("core/", "protocol/", "tools/"), ("Eigen/", "nlohmann/"), NO_IO),
-    "server": (("core/", "protocol/", "cell/", "tools/", "server/"), None, set()),
-    "cli": (("core/", "protocol/", "cell/", "tools/", "server/", "cli/"), None, set()),
+    "server": (("core/", "protocol/", "cell/", "service/", "tools/", "server/"), None, set()),
+    "cli": (("core/", "protocol/", "cell/", "service/", "tools/", "server/", "cli/"), None, set()),
 }
 # Folders that know nothing of each other; app.cpp connects them.
 SEPARATE = tuple((mine, other) for mine in ("server/robot_port/", "server/lines/")
@@ -42,7 +43,7 @@ PRIVATE_PATH = re.compile(
     r"|\bregistry\.[a-z]+\.(?:org|com)|\b(?:deb|security)\.[a-z]+\.org")
 
 # scripts/emscripten compiles these libraries with Debian 12's libc++, which has no such algorithms.
-PORTABLE = ("core", "protocol", "cell")
+PORTABLE = ("core", "protocol", "cell", "service")
 NOT_IN_LIBCXX = re.compile(r"\b(?:std::ranges::\w+\(|(?:std|ranges)::views::)")
 
 # Names may contain control characters. `xr3 term` moves the cursor, and passes on the bytes of a robot.

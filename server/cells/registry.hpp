@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "server/cells/hosted_cell.hpp"
-#include "server/files/sha256.hpp"
+#include "cell/sha256.hpp"
 
 namespace xr3 {
 

@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "server/files/data_files.hpp"
-#include "server/files/sha256.hpp"
+#include "cell/sha256.hpp"
 #include "server/resources/web_assets.hpp"
 
 namespace xr3 {

@@ -1,5 +1,5 @@
-// The calls of monitor sessions on one cell, except those on its past. Each kind of call has a
-// function, which is found by the type of the call.
+// The calls of monitor sessions on one cell, except those on its past: what they wait for, and what
+// they need of the server. Their effects and answers are in service/.
 #pragma once
 
 #include <cstddef>
@@ -12,17 +12,11 @@
 #include "server/cells/registry.hpp"
 #include "server/net/asio.hpp"
 #include "server/net/memory_limit.hpp"
+#include "server/net/wall_clock.hpp"
 #include "server/session/session.hpp"
+#include "service/calls.hpp"
 
 namespace xr3 {
-
-/// Epoch and tick, the first members of the value of each call.
-Json value_now(const Cell& cell);
-
-/// The answer with an error.
-monitor::Message refused(const monitor::RequestId& id, const call::Refused& why);
-/// The error of a request that names a line that is not open.
-call::Refused no_such_line(LineId line);
 
 /// A call with its cell and its session, which exist until it is answered.
 struct CallOf {
@@ -33,6 +27,8 @@ struct CallOf {
 
   const monitor::RequestId& id() const { return request.id; }
   Cell& cell() const { return at->cell(); }
+  /// The call at the present.
+  service::CellCall now() const { return {cell(), request, wanted, wall_now()}; }
 };
 
 class MonitorCalls {
@@ -56,16 +52,15 @@ class MonitorCalls {
 
   Answer carry_out(CallOf of, const call::Call& call);
   Answer carry_out(CallOf of, const monitor::Send& send);
-  static Answer carry_out(CallOf of, const monitor::FindCounts& find);
-  static Answer carry_out(CallOf of, const monitor::ListLines&);
-  static Answer carry_out(CallOf of, const monitor::ListFaults&);
   static Answer carry_out(CallOf of, const monitor::DisconnectLine& disconnect);
   static Answer carry_out(CallOf of, const monitor::ReleasePeer&);
-  static Answer carry_out(CallOf of, const monitor::ReadTranscript&);
+  template <class OtherCall>
+  static Answer carry_out(CallOf of, const OtherCall& call) {
+    co_return service::carry_out(of.now(), call);
+  }
 
  private:
   bool may_enlarge(const call::Call& call) const;
-  static monitor::Message done(CallOf of, const call::Call& call, const call::Done& done);
   /// The session's own line of the cell, which a first `send` opens; nullopt if it has too many of
   /// other cells.
   std::optional<LineId> own_line(CallOf of);

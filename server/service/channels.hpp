@@ -2,8 +2,6 @@
 // cells.
 #pragma once
 
-#include <cstddef>
-
 #include "server/cells/hosted_cell.hpp"
 #include "server/net/asio.hpp"
 #include "server/service/overview.hpp"
@@ -15,9 +13,6 @@ class MonitorChannels {
  public:
   /// The reference must outlive it.
   explicit MonitorChannels(Overview& overview) : overview_(overview) {}
-
-  /// Beyond this number a session gets no further subscription.
-  static constexpr std::size_t kMaxSubscriptions = 256;
 
   // Each answers the request itself. Only those on the overview allow that `at` is null.
   void carry_out(const CellPtr& at, MonitorSession& session, const monitor::RequestId& id,

@@ -1,13 +1,10 @@
-// The monitor's calls on serial lines: `send`, `lines`, `line_disconnect` and `peer_release`.
+// The monitor's calls on serial lines that need the server: `send`, `line_disconnect` and
+// `peer_release`.
 #include <nlohmann/json.hpp>
-#include <utility>
-#include <vector>
 
-#include "cell/cell.hpp"
-#include "protocol/explain/diagnostic.hpp"
-#include "protocol/explain/event_report.hpp"
-#include "server/net/wall_clock.hpp"
 #include "server/service/calls.hpp"
+#include "service/answer.hpp"
+#include "service/lines.hpp"
 
 namespace xr3 {
 namespace {
@@ -17,40 +14,9 @@ namespace {
 constexpr WallNs kSendPiece = 500'000;
 constexpr WallNs kMaxSendTime = 1'000'000'000;
 
-call::Refused line_waits(LineId current) {
-  const std::string line = "line " + std::to_string(current);
-  return {"line_waits", "the byte clock obeys one line at a time, and " + line + " is open",
-          "close " + line + ", also by line_disconnect, or start with --concurrent-lines"};
-}
-
 call::Refused too_many_lines() {
   return {"limit", "this client has lines of its own in 64 cells",
           "close one by line_disconnect, or use another connection"};
-}
-
-Json line_json(const Cell& cell, LineId id, const SerialLine& line) {
-  Json entry = {{"line", id},
-                {"kind", name_of(line.kind())},
-                {"peer", line.peer()},
-                {"opened_tick", line.opened_tick()},
-                {"bytes_in", line.bytes_in()},
-                {"bytes_acted", line.bytes_acted()},
-                {"bytes_out", line.bytes_out()},
-                {"warnings", line.warnings()},
-                {"last", readable(line.last().view())}};
-  if (const auto serial = line.settings()) entry["serial"] = text_of(*serial);
-  if (const auto speed = speed_of(cell.value(), line)) entry["speed"] = text_of(*speed);
-  if (const auto before = line_before(cell.value(), id)) entry["waits_for"] = *before;
-  return entry;
-}
-
-/// The physical controller, as `lines` shows it beside the lines: it has no number.
-Json device_line_json(const DeviceLink& device) {
-  const auto opened = device.opened_tick();
-  return {{"kind", name_of(LineKind::kDevice)}, {"peer", device.path()},
-          {"open", device.is_open()},           {"opened_tick", opened ? Json(*opened) : Json()},
-          {"bytes_in", device.bytes_in()},      {"bytes_out", device.bytes_out()},
-          {"last", readable(device.last())},    {"serial", text_of(device.settings())}};
 }
 
 /// The open line that the session has at the cell; nullopt if it has none.
@@ -79,11 +45,6 @@ asio::awaitable<std::size_t> receive(HostedCell& at, LineId line, std::string_vi
 
 }  // namespace
 
-call::Refused no_such_line(LineId line) {
-  return {"no_such_line", "line " + std::to_string(line) + " is not open",
-          "lines are numbered from 1 as they are opened"};
-}
-
 std::optional<LineId> MonitorCalls::own_line(CallOf of) {
   if (const std::optional<LineId> open = open_own_line(of)) return open;
   std::map<std::string, LineId>& lines = of.session.own_lines();
@@ -93,53 +54,32 @@ std::optional<LineId> MonitorCalls::own_line(CallOf of) {
   };
   if (lines.size() >= kMaxOwnLines) std::erase_if(lines, is_closed);
   if (lines.size() >= kMaxOwnLines) return std::nullopt;
-  const LineId opened = of.cell().apply(LineOpened{"monitor", LineKind::kMonitor}, wall_now()).line;
+  const LineId opened = service::open_line(of.cell(), wall_now());
   lines[of.at->name()] = opened;
   return opened;
 }
 
 MonitorCalls::Answer MonitorCalls::carry_out(CallOf of, const monitor::Send& send) {
-  Cell& cell = of.cell();
-  if (cell.is_in_past()) co_return refused(of.id(), in_the_past());
-  if (const std::optional<LineId> current = current_line(cell.value());
-      current && current != open_own_line(of))
-    co_return refused(of.id(), line_waits(*current));
+  if (const auto why = service::refuse_send(of.cell(), open_own_line(of)))
+    co_return service::refused(of.id(), *why);
   const std::optional<LineId> line = own_line(of);
-  if (!line) co_return refused(of.id(), too_many_lines());
+  if (!line) co_return service::refused(of.id(), too_many_lines());
   const std::size_t taken = co_await receive(*of.at, *line, send.bytes);
-  if (cell.find_line(*line) == nullptr) co_return refused(of.id(), no_such_line(*line));
-  const std::string replies(cell.find_line(*line)->outbox());
-  cell.sent({*line, replies.size()});
-  Json value = value_now(cell);
-  value["line"] = *line;
-  if (taken < send.bytes.size()) value["taken"] = taken;
-  value["hex"] = hexadecimal(replies);
-  value["text"] = readable(replies);
-  co_return monitor::result(of.id(), value);
-}
-
-MonitorCalls::Answer MonitorCalls::carry_out(CallOf of, const monitor::ListLines&) {
-  Cell& cell = of.cell();
-  cell.catch_up(wall_now());
-  Json value = value_now(cell);
-  if (cell.device() != nullptr) value["device"] = device_line_json(*cell.device());
-  Json& lines = value["lines"] = Json::array();
-  for (const auto& [id, line] : cell.lines()) lines.push_back(line_json(cell, id, line));
-  co_return monitor::result(of.id(), value);
+  co_return service::sent(of.now(), send, *line, taken);
 }
 
 MonitorCalls::Answer MonitorCalls::carry_out(CallOf of, const monitor::DisconnectLine& disconnect) {
   Cell& cell = of.cell();
   const LineId id = disconnect.line;
-  if (cell.find_line(id) == nullptr) co_return refused(of.id(), no_such_line(id));
+  if (cell.find_line(id) == nullptr) co_return service::refused(of.id(), service::no_such_line(id));
   if (!of.at->transports().disconnect(id))
     cell.apply(LineClosed{id, LineCloseReason::kDisconnected}, wall_now());
-  co_return monitor::result(of.id(), value_now(cell));
+  co_return monitor::result(of.id(), service::value_now(cell));
 }
 
 MonitorCalls::Answer MonitorCalls::carry_out(CallOf of, const monitor::ReleasePeer&) {
   const auto owner = of.at->port() ? of.at->port()->release_owner() : std::nullopt;
-  Json value = value_now(of.cell());
+  Json value = service::value_now(of.cell());
   value["owner"] = owner ? Json(owner->to_string()) : Json();
   co_return monitor::result(of.id(), value);
 }

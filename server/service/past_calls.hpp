@@ -14,6 +14,7 @@
 #include "server/net/worker.hpp"
 #include "server/service/calls.hpp"
 #include "server/service/sessions.hpp"
+#include "service/past.hpp"
 
 namespace xr3 {
 
@@ -38,12 +39,11 @@ class PastCalls {
   asio::awaitable<void> carry_out(CallOf of, const monitor::Branch& branch);
 
  private:
-  struct Moment;
   template <class Work>
   asio::awaitable<std::optional<std::invoke_result_t<Work, const HistoryPart&, Tick>>> make_from(
       CallOf of, ReplayTime time, Work work);
-  asio::awaitable<std::optional<Moment>> make_moment(CallOf of, monitor::PastTime wanted,
-                                                     std::vector<monitor::Selection> selections);
+  asio::awaitable<std::optional<service::Moment>> make_moment(
+      CallOf of, ReplayTime time, std::vector<monitor::Selection> selections);
 
   Worker& worker_;
   const MonitorSessions& sessions_;

@@ -5,6 +5,7 @@
 
 #include "protocol/monitor/call_table.hpp"
 #include "server/service/sessions.hpp"
+#include "service/answer.hpp"
 
 namespace xr3 {
 
@@ -23,7 +24,7 @@ asio::awaitable<void> ServerCalls::carry_out(CallOf of, const monitor::ListCells
 }
 
 asio::awaitable<void> ServerCalls::carry_out(CallOf of, const monitor::Describe& describe) {
-  Json value = of.at ? value_now(of.cell()) : Json{{"epoch", nullptr}, {"tick", nullptr}};
+  Json value = of.at ? service::value_now(of.cell()) : Json{{"epoch", nullptr}, {"tick", nullptr}};
   value.update(monitor::description(describe.fn));
   of.session.send(monitor::result(of.id(), value));
   if (of.at) of.at->after_input();

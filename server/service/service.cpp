@@ -5,6 +5,7 @@
 
 #include "protocol/monitor/heading.hpp"
 #include "server/net/wall_clock.hpp"
+#include "service/answer.hpp"
 
 namespace xr3 {
 namespace {
@@ -149,7 +150,7 @@ struct MonitorService::Dispatch {
   asio::awaitable<void> carry_out_at_cell(CallOf of, const Call& call) const {
     const std::optional<call::Refused> error = co_await MonitorCalls::wait(of);
     if (error) {
-      session.send(refused(of.id(), *error));
+      session.send(service::refused(of.id(), *error));
     } else if (at->is_retired()) {
       session.send(service.sessions_.unknown_cell(session, request));
     } else {

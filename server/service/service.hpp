@@ -7,7 +7,8 @@
 // that type: MonitorSessions (sessions.hpp) for tokens, MonitorChannels (channels.hpp) for `sub`,
 // `unsub` and `get`, ServerCalls (server_calls.hpp) for calls on the server, PastCalls
 // (past_calls.hpp) for those on a cell's past, and MonitorCalls (calls.hpp, line_calls.cpp) for the
-// others: these apply an input to the cell and describe the result. The Overview (overview.hpp)
+// others. What a request does to a cell, and its answer, is in service/, below the server; here it
+// waits for what it needs. The Overview (overview.hpp)
 // shows all cells to its subscribers, a few rounds a second, after changed() has marked those that
 // had input. The frames of one cell go by its SubscriberHub in server/session.
 #pragma once

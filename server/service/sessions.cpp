@@ -7,6 +7,7 @@
 #include "cell/failure.hpp"
 #include "server/net/wall_clock.hpp"
 #include "server/service/calls.hpp"
+#include "service/answer.hpp"
 
 namespace xr3 {
 namespace {
@@ -88,8 +89,8 @@ asio::awaitable<void> MonitorSessions::authorize(MonitorSession& session,
     co_return;
   }
   co_await wrong_tokens_.delay();
-  session.send(
-      refused(id, {"bad_token", "this is not the token", "five wrong ones end the connection"}));
+  session.send(service::refused(
+      id, {"bad_token", "this is not the token", "five wrong ones end the connection"}));
   if (session.note_wrong_token() >= kMaxWrongTokens) session.end(monitor::CloseReason::kBadToken);
 }
 
@@ -112,8 +113,8 @@ monitor::Message MonitorSessions::refuse(const MonitorSession& session,
   if (heading.op == "call") what = heading.fn.empty() ? "a call" : "the call " + heading.fn;
   if (reads && session.access() == Access::kNone) what = "reading this server";
   if (what.empty()) return nullptr;
-  return refused(heading.id, {"token_required", what + " needs the token",
-                              R"(send {"op":"auth","token":"..."} first)"});
+  return service::refused(heading.id, {"token_required", what + " needs the token",
+                                       R"(send {"op":"auth","token":"..."} first)"});
 }
 
 bool MonitorSessions::may_see(const MonitorSession& session, const HostedCell& cell) {

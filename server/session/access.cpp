@@ -2,7 +2,7 @@
 
 #include <nettle/memops.h>
 
-#include "server/files/sha256.hpp"
+#include "cell/sha256.hpp"
 
 namespace xr3 {
 namespace {

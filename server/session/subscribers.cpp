@@ -7,6 +7,7 @@
 #include <new>
 
 #include "cell/failure.hpp"
+#include "service/frames.hpp"
 
 namespace xr3 {
 namespace {
@@ -31,13 +32,7 @@ WallNs start_of(monitor::FrameNumber frame) {
 
 }  // namespace
 
-// Converts seconds and the fraction separately, since the product of all nanoseconds would
-// overflow.
-monitor::FrameNumber SubscriberHub::wall_frame() {
-  const WallNs wall = wall_now();
-  return wall / kSecond * monitor::kFramesPerSecond +
-         wall % kSecond * monitor::kFramesPerSecond / kSecond;
-}
+monitor::FrameNumber SubscriberHub::wall_frame() { return service::frame_at(wall_now()); }
 
 SubscriberHub::~SubscriberHub() {
   for (MonitorSession* session : sessions_) session->leave(*this);
@@ -143,24 +138,11 @@ void SubscriberHub::serve_some() {
 }
 
 void SubscriberHub::serve(MonitorSession& session) {
-  bool has_frame = false;
-  const auto offer_due = [&, this](monitor::FrameSubscription& subscription) {
-    const bool is_settled = subscription.is_due(frame_) && offer_frame(subscription);
-    is_settled_ = is_settled_ && is_settled;
-    due_ = std::min(due_, subscription.due());
-    has_frame = has_frame || subscription.is_waiting();
-  };
-  session.client().for_each_frame_subscription(cell_.name(), offer_due);
-  if (has_frame || session.client().has_output(frame_)) session.wake();
-}
-
-/// Offers the current frame. Returns whether the subscription is settled. Called only when it is
-/// due, so that no frame is encoded needlessly.
-bool SubscriberHub::offer_frame(monitor::FrameSubscription& subscription) {
-  const monitor::Frame* frame = frames_.frame(subscription.wanted().selection);
-  if (frame == nullptr) return true;  // no camera
-  subscription.offer(*frame, frame_);
-  return subscription.is_settled(*frame);
+  const service::OfferedFrames offered =
+      service::offer_due_frames(session.client(), cell_.name(), frames_, frame_);
+  is_settled_ = is_settled_ && offered.is_settled;
+  due_ = std::min(due_, offered.due);
+  if (offered.is_waiting || session.client().has_output(frame_)) session.wake();
 }
 
 void SubscriberHub::end_round() {

@@ -62,7 +62,6 @@ class SubscriberHub {
   void begin_round();
   void serve_some();
   void serve(MonitorSession& session);
-  bool offer_frame(monitor::FrameSubscription& subscription);
   void end_round();
   bool has_followers() const;
 

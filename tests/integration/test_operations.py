@@ -23,7 +23,7 @@ open lines | server/net/socket_limits.hpp | lines
 open lines | cli/options/serve.cpp | kMaxLines
 cells | server/options/options.hpp | max_cells
 cells | cli/options/serve.cpp | kMaxCells
-subscriptions of a monitor client, and lines of its own by `send` | server/service/channels.hpp | kMaxSubscriptions
+subscriptions of a monitor client, and lines of its own by `send` | service/channels.hpp | kMaxSubscriptions
 subscriptions of a monitor client, and lines of its own by `send` | server/service/calls.hpp | kMaxOwnLines
 branches of a cell, and lines of each | server/cells/branch_cells.hpp | kMostPerOrigin
 branches of a cell, and lines of each | server/net/socket_limits.hpp | kLinesPerBranch

@@ -127,13 +127,6 @@ int number(std::string_view text) {
 
 }  // namespace
 
-// The digests of cells; see cell/digest.hpp.
-std::string xr3::sha256(std::string_view text) {
-  Digest digest;
-  digest.add(text);
-  return "sha256:" + digest.text() + digest.text();
-}
-
 int main(int argc, char** argv) {
   const int commands = argc == 3 ? number(argv[2]) : 0;
   if (commands < kMinCommands) {

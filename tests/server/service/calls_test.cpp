@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "service/channels.hpp"
 #include "tests/support/monitor_fixture.hpp"
 
 namespace xr3 {
@@ -33,11 +34,11 @@ TEST_F(MonitorCallsTest, ACallThatWaitsForAClosedCellFails) {
 }
 
 TEST_F(MonitorCallsTest, ASessionHasAFewLinesAndSubscriptions) {
-  for (std::size_t i = 0; i < MonitorChannels::kMaxSubscriptions; ++i)
+  for (std::size_t i = 0; i < service::kMaxSubscriptions; ++i)
     host_.add(test::rhino(), std::to_string(i));
   read(one_);
   const auto at = [](std::size_t cell) { return R"(,"cell":")" + std::to_string(cell) + "\"}"; };
-  for (std::size_t i = 0; i < MonitorChannels::kMaxSubscriptions; ++i)
+  for (std::size_t i = 0; i < service::kMaxSubscriptions; ++i)
     EXPECT_TRUE(ask(one_, R"({"op":"sub","channel":"event")" + at(i)).at(0)["ok"]);
   EXPECT_EQ(answer(one_, R"({"op":"sub","channel":"line")" + at(0))["error"]["code"], "limit");
   EXPECT_TRUE(answer(one_, R"({"op":"sub","channel":"event")" + at(0))["ok"]) << "it replaces one";

@@ -5,10 +5,10 @@
 #include "core/inverse/tool_place.hpp"
 #include "protocol/monitor/request_error.hpp"
 #include "protocol/text/table.hpp"
-#include "server/net/wall_clock.hpp"
-#include "server/service/calls.hpp"
+#include "service/answer.hpp"
+#include "service/calls.hpp"
 
-namespace xr3 {
+namespace xr3::service {
 namespace {
 
 constexpr double kHundredths = 100;
@@ -84,24 +84,23 @@ monitor::Message unreachable(const monitor::RequestId& id, const Model& model,
 
 }  // namespace
 
-MonitorCalls::Answer MonitorCalls::carry_out(CallOf of, const monitor::FindCounts& find) {
-  Cell& cell = of.cell();
-  cell.catch_up(wall_now());
+monitor::Message carry_out(const CellCall& of, const monitor::FindCounts& find) {
+  Cell& cell = of.cell;
+  cell.catch_up(of.now);
   const Model& model = cell.model();
   const auto start = start_of(cell, find.near);
   if (const char* label = std::get_if<char>(&start))
-    co_return refused(of.id(),
-                      {"no_such_joint", "this robot has no joint " + std::string(1, *label),
-                       "its labels are " + model.labels()});
+    return refused(of.id(), {"no_such_joint", "this robot has no joint " + std::string(1, *label),
+                             "its labels are " + model.labels()});
   const WantedPlace wanted{{mm(find.tip_um.x), mm(find.tip_um.y), mm(find.tip_um.z)},
                            find.pitch_deg,
                            find.roll_deg,
                            find.branch};
   const auto found = reach_place(model, std::get<Positions>(start), wanted);
-  if (const auto* no = std::get_if<Unreachable>(&found)) co_return unreachable(of.id(), model, *no);
+  if (const auto* no = std::get_if<Unreachable>(&found)) return unreachable(of.id(), model, *no);
   Json value = value_now(cell);
   value.update(place_json(model, std::get<ReachedPlace>(found)));
-  co_return monitor::result(of.id(), value);
+  return monitor::result(of.id(), value);
 }
 
-}  // namespace xr3
+}  // namespace xr3::service

@@ -3,27 +3,26 @@
 
 #include <string>
 
-#include "tests/support/monitor_fixture.hpp"
+#include "tests/support/cell_monitor_fixture.hpp"
 
 namespace xr3 {
 namespace {
 
-class InverseCallTest : public test::MonitorFixture {
+class InverseTest : public test::CellMonitorFixture {
  protected:
-  InverseCallTest() { read(one_); }
-  Json inverse(const std::string& args) { return call(one_, "inverse", args); }
+  Json inverse(const std::string& args) { return call("inverse", args); }
 };
 
-TEST_F(InverseCallTest, FindsCountsAndMovesNothing) {
+TEST_F(InverseTest, FindsCountsAndMovesNothing) {
   const Json value = inverse(R"({"xyz_mm":[262,0,120],"pitch_deg":-90,"roll_deg":90})")["value"];
   EXPECT_EQ(value["counts"], Json::parse(R"({"F":0,"E":242,"D":-440,"C":0,"B":0,"A":0})"));
   EXPECT_EQ(value["branch"], "front, elbow up");
   EXPECT_NEAR(value["xyz_mm"][2], 120, 1);
   EXPECT_EQ(value["tick"], 0);
-  EXPECT_EQ(cell_.state().motor(1).count, 0);
+  EXPECT_EQ(cell_->state().motor(1).count, 0);
 }
 
-TEST_F(InverseCallTest, WhatIsOmittedStaysAsItIsNear) {
+TEST_F(InverseTest, WhatIsOmittedStaysAsItIsNear) {
   const Json value =
       inverse(R"({"xyz_mm":[262,0,60],"near":{"E":242,"D":-440,"B":100,"A":-7}})")["value"];
   EXPECT_EQ(value["counts"]["A"], -7) << "the jaws";
@@ -31,7 +30,7 @@ TEST_F(InverseCallTest, WhatIsOmittedStaysAsItIsNear) {
   EXPECT_NEAR(value["xyz_mm"][2], 60, 1);
 }
 
-TEST_F(InverseCallTest, SaysWhyTheToolCannotBeThere) {
+TEST_F(InverseTest, SaysWhyTheToolCannotBeThere) {
   const Json error = inverse(R"({"xyz_mm":[262,0,-18],"near":{"E":242,"D":-440}})")["error"];
   EXPECT_EQ(error["code"], "unreachable");
   EXPECT_EQ(error["cause"], "work_surface");
@@ -48,7 +47,7 @@ TEST_F(InverseCallTest, SaysWhyTheToolCannotBeThere) {
   EXPECT_TRUE(bent["joint"].is_string());
 }
 
-TEST_F(InverseCallTest, NamesAJointThatTheRobotDoesNotHave) {
+TEST_F(InverseTest, NamesAJointThatTheRobotDoesNotHave) {
   const Json error = inverse(R"({"xyz_mm":[262,0,120],"near":{"H":1}})")["error"];
   EXPECT_EQ(error["code"], "no_such_joint");
   EXPECT_EQ(error["hint"], "its labels are ABCDEF");
