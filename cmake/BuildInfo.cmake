@@ -4,7 +4,7 @@
 # The commit is the last one that changed the program; `+` says that the files differ from it. Thus a
 # commit that changes only docs or tests does not link the program again. XR3_COMMIT, in the environment,
 # is for a build without the repository. An archive of git has the commit in cmake/commit.txt.
-set(parts core protocol cell service tools server cli data cmake clients/web CMakeLists.txt CMakePresets.json)
+set(parts core protocol cell service tools wasm server cli data cmake clients/web CMakeLists.txt CMakePresets.json)
 
 set(commit "$ENV{XR3_COMMIT}")
 if(NOT commit AND EXISTS "${SOURCE}/.git")

@@ -18,7 +18,8 @@ MAX_COLUMNS = 100
 MAX_ROOMS = 32  # a room is a subfolder, or a header with its source
 
 # For each library: the libraries it may include, the start of every <path/> with a folder in it (None if
-# any), and standard headers it may not have. core <- protocol <- cell <- service <- server <- cli, protocol <- tools <- server.
+# any), and standard headers it may not have. core <- protocol <- cell <- service <- server <- cli,
+# protocol <- tools <- server, service and tools <- wasm.
 NO_IO = {"thread", "mutex", "shared_mutex", "condition_variable", "future", "iostream", "fstream",
          "chrono", "ctime", "filesystem"}
 RULES = {
@@ -26,6 +27,7 @@ RULES = {
     "protocol": (("core/", "protocol/"), ("Eigen/", "nlohmann/"), NO_IO),
     "cell": (("core/", "protocol/", "cell/"), ("Eigen/", "nlohmann/"), NO_IO),
     "service": (("core/", "protocol/", "cell/", "service/"), ("Eigen/", "nlohmann/"), NO_IO),
+    "wasm": (("core/", "protocol/", "cell/", "service/", "tools/", "wasm/"), ("Eigen/", "nlohmann/"), NO_IO),
     "tools": (("core/", "protocol/", "tools/"), ("Eigen/", "nlohmann/"), NO_IO),
     "server": (("core/", "protocol/", "cell/", "service/", "tools/", "server/"), None, set()),
     "cli": (("core/", "protocol/", "cell/", "service/", "tools/", "server/", "cli/"), None, set()),
@@ -42,8 +44,8 @@ PRIVATE_PATH = re.compile(
     r"(?:^|[^\w.])/(?:work|farm)/|\.\./shared"
     r"|\bregistry\.[a-z]+\.(?:org|com)|\b(?:deb|security)\.[a-z]+\.org")
 
-# scripts/emscripten compiles these libraries with Debian 12's libc++, which has no such algorithms.
-PORTABLE = ("core", "protocol", "cell", "service")
+# scripts/playground compiles these libraries with Debian 12's libc++, which has no such algorithms.
+PORTABLE = ("core", "protocol", "cell", "service", "wasm")
 NOT_IN_LIBCXX = re.compile(r"\b(?:std::ranges::\w+\(|(?:std|ranges)::views::)")
 
 # Names may contain control characters. `xr3 term` moves the cursor, and passes on the bytes of a robot.

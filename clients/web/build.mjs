@@ -1,30 +1,74 @@
-// Bundles the page into dist/: one script, one style sheet, index.html and the icon. The server's
-// build embeds these files in its binary (server/resources/web_assets.cmake).
+// Bundles the page: one script, one style sheet, index.html and the icon.
+//   node build.mjs               into dist/, which the server's build embeds in its binary (server/resources/web_assets.cmake)
+//   node build.mjs --here DIR    into DIR, for a page that has the robot in itself: also the workers. DIR has xr3.wasm and data/
+//                                already (scripts/playground)
 import { build } from "esbuild";
-import { copyFile, mkdir, readFile, rm, stat } from "node:fs/promises";
+import { copyFile, mkdir, readdir, readFile, rm, stat, writeFile } from "node:fs/promises";
+import { createHash } from "node:crypto";
+import { join, relative, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 
-const kMaxBundleBytes = 800_000;
-const path = (name) => fileURLToPath(new URL(name, import.meta.url)); // (an address has %20 for a blank)
+const kMaxBundleBytes = 850_000;
+// A static host sends no policy: the page brings its own, which its worker inherits. `wasm-unsafe-eval` compiles
+// WebAssembly; scripts from texts stay forbidden.
+const kPolicy = "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self' blob:; img-src 'self' data: blob:; object-src 'none'; base-uri 'self'; form-action 'none'";
 
-await rm(path("dist"), { recursive: true, force: true });
-await mkdir(path("dist/assets"), { recursive: true });
+const path = (name) => fileURLToPath(new URL(name, import.meta.url)); // (an address has %20 for a blank)
+const isHere = process.argv[2] === "--here";
+const out = isHere ? resolve(process.argv[3]) : path("dist");
+const { version } = JSON.parse(await readFile(path("package.json"), "utf8"));
+
+/** index.html for a page that has the robot in itself, in whatever folder of a host. */
+const forHere = (html) => html.replaceAll('"/assets/', '"assets/').replace("<html ", '<html data-robot="here" ')
+  .replace("<meta charset=\"utf-8\">", `$&\n    <meta http-equiv="Content-Security-Policy" content="${kPolicy}">`);
+
+/** The names of the robots that the page can have, with their titles. */
+async function robots() {
+  const names = (await readdir(path("../../data/robots"))).filter((name) => name.endsWith(".json")).map((name) => name.slice(0, -5));
+  return Promise.all(names.map(async (name) => {
+    const text = await readFile(path(`../../data/robots/${name}.json`), "utf8"); // with comments, so not JSON
+    return { name, title: /"name": *"([^"]+)"/.exec(text)[1] };
+  }));
+}
+
+/** The service worker, last, since it knows all other files of the folder. */
+async function bundleOffline() {
+  const names = (await readdir(out, { recursive: true, withFileTypes: true })).filter((entry) => entry.isFile() && entry.name !== "offline.js")
+    .map(({ parentPath, path: older, name }) => relative(out, join(parentPath ?? older, name)));
+  const sum = createHash("sha256");
+  for (const name of names.sort()) sum.update(name).update(await readFile(join(out, name)));
+  await build({
+    entryPoints: [path("src/machine/offline.js")], outdir: out, bundle: true, minify: true, format: "iife", target: "es2022", logLevel: "warning",
+    define: { XR3_FILES: JSON.stringify({ version: sum.digest("hex").slice(0, 16), names }) },
+  });
+}
+
+await rm(join(out, isHere ? "assets" : ""), { recursive: true, force: true });
+await mkdir(join(out, "assets"), { recursive: true });
 await build({
-  entryPoints: [path("src/main.js"), path("src/style.css")],
-  outdir: path("dist/assets"),
+  entryPoints: ["src/main.js", "src/style.css", ...(isHere ? ["src/machine/worker.js"] : [])].map(path),
+  entryNames: "[name]",
+  outdir: join(out, "assets"),
   bundle: true,
   minify: true,
   format: "esm",
   target: "es2022",
   legalComments: "none",
   logLevel: "warning",
+  define: { XR3_VERSION: JSON.stringify(version) },
 });
-await copyFile(path("src/index.html"), path("dist/index.html"));
-await copyFile(path("src/icon.svg"), path("dist/assets/icon.svg"));
+const html = await readFile(path("src/index.html"), "utf8");
+await writeFile(join(out, "index.html"), isHere ? forHere(html) : html);
+await copyFile(path("src/icon.svg"), join(out, "assets/icon.svg"));
 for (const library of ["three", "uplot"])
-  await copyFile(path(`node_modules/${library}/LICENSE`), path(`dist/assets/${library}-license.txt`));
+  await copyFile(path(`node_modules/${library}/LICENSE`), join(out, `assets/${library}-license.txt`));
 
-const { size } = await stat(path("dist/assets/main.js"));
-await readFile(path("dist/index.html"));
+if (isHere) {
+  await mkdir(join(out, "data"), { recursive: true });
+  await writeFile(join(out, "data/robots.json"), JSON.stringify(await robots()));
+  await bundleOffline();
+}
+
+const { size } = await stat(join(out, "assets/main.js"));
 console.log(`viewer: ${Math.round(size / 1000)} kB of script`);
 if (size > kMaxBundleBytes) throw new Error(`the script has ${size} bytes, the limit is ${kMaxBundleBytes}`);

@@ -37,6 +37,8 @@ ELSEWHERE = {
     "packages.md: sudo apt install": "../packages/test_packages.py",
     "packages.md: sudo systemctl": "test_operations.py",
     "packages.md: tar ": "../packages/test_packages.py",
+    "playground.md: python3 -m": "../play/page_test.mjs",
+    "playground.md: scripts/playground": "../play/page_test.mjs",
     "protocol.md: $ ./run": "test_run.py",
     "protocol.md: $ telnet": "test_clients.py",
     "serial-ports.md: socat": "../lines/test_socat.py",

@@ -30,7 +30,8 @@ std::string summary(const RunReport& report) {
 
 bool RunReport::is_passed() const {
   return outcome == RunOutcome::kFinished && not_counted.empty() &&
-         std::ranges::all_of(goals, &GoalResult::is_met);
+         std::all_of(goals.begin(), goals.end(),
+                     [](const GoalResult& each) { return each.is_met; });
 }
 
 std::string name_of(RunOutcome outcome) {
@@ -46,9 +47,10 @@ std::string to_text(const RunReport& report) {
   std::string text;
   if (!report.why.empty()) text += "✗ " + report.why + "\n";
   for (const GoalResult& each : report.goals) text += line_of(each);
-  const bool is_elsewhere = std::ranges::any_of(report.goals, [](const GoalResult& each) {
-    return !each.is_met && (each.kind == "block" || each.kind == "stacked");
-  });
+  const bool is_elsewhere =
+      std::any_of(report.goals.begin(), report.goals.end(), [](const GoalResult& each) {
+        return !each.is_met && (each.kind == "block" || each.kind == "stacked");
+      });
   if (is_elsewhere) text += report.top_view;
   if (!report.not_counted.empty()) text += "not counted: " + report.not_counted + "\n";
   return printable_lines(text + summary(report));

@@ -35,6 +35,9 @@ import { NoScene } from "./scene/no_scene.js";
 import { PaperView } from "./panels/paper_view.js";
 import { PastFrames } from "./rewind/past_frames.js";
 import { isSooner } from "./rewind/axis.js";
+import { connectCopyLink } from "./machine/copy_link.js";
+import { keepForOffline } from "./machine/offline_page.js";
+import { isHere } from "./lib/here.js";
 import { isOverview } from "./lib/place.js";
 import { pastStates } from "./plots/past_states.js";
 import { textOf } from "./lib/refusal.js";
@@ -168,6 +171,8 @@ new CommandMode({ run, old, known });
 byId("home").onclick = () => call("home");
 byId("reset").onclick = () => call("reset");
 byId("outlines").onchange = (event) => camera.setOutlines(event.target.checked);
+if (isHere) keepForOffline((text, action) => messages.show(text, action));
+if (isHere) connectCopyLink({ getModel: () => connection.get("model"), getFirst: () => known.firstModel, showMessage, onError: showError });
 byId("stop-motors").onclick = () => mover.drive.stop().catch(showError);
 const drawer = new Drawer((panel) => {
   if (panel === "wire-panel") wire.show();
@@ -304,6 +309,7 @@ function readAgain() {
 
 function takeModel(model) {
   known.model = model;
+  known.firstModel ??= model;
   if (known.hello) showName(model.robot.name);
   showModel(model);
   for (const panel of [plots, teach, firstSteps, wire]) panel.setModel(model);

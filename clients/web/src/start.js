@@ -1,8 +1,10 @@
 // @ts-check
-// The connection to the server, which tells by its first `hello` which page this is.
+// The connection to the robot, of a server or of the page itself, which tells by its first `hello` which page this is.
 import { Connection } from "./lib/connection.js";
 import { showChip } from "./lib/chip.js";
 import { byId } from "./lib/dom.js";
+import { MachineSocket, setupOf } from "./machine/machine.js";
+import { isHere, sharedHere } from "./lib/here.js";
 import { cellOfPath, pathOfCell } from "./lib/place.js";
 import { kept, takeFromAddress } from "./lib/token.js";
 import "./lib/theme.js";
@@ -26,7 +28,20 @@ let greet;
 /** The first `hello`. Whoever awaits it sets `connection.handlers`. */
 export const firstHello = new Promise((resolve) => (greet = resolve));
 
-export const connection = new Connection(`ws://${location.host}/ws`, {
+/** @returns {any} */
+const toServer = () => new WebSocket(`ws://${location.host}/ws`, "xr3.v1");
+/** The robot of the page itself, which its address may name. */
+const toMachine = () => new MachineSocket(async () => setupOf(await sharedHere()), showFailure);
+
+/** @param {string} why */
+function showFailure(why) {
+  console.error(why);
+  showChip(byId("status"), { kind: "lost", word: "No robot" });
+  byId("message").textContent = why;
+  byId("message").hidden = false;
+}
+
+export const connection = new Connection(isHere ? toMachine : toServer, {
   onMessage: (/** @type {any} */ message) => message.op === "hello" && greet(message), onStatus: onConnection, onTokenRefused: (/** @type {Error} */ error) => earlyRefusals.push(error),
 });
 const asked = new URLSearchParams(location.search).get("cell");

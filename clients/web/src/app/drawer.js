@@ -1,6 +1,7 @@
 // @ts-check
 // The drawer: tabs, one panel at a time, open or shut. On phones the sections of the inspector are tabs here, too.
 import { byId } from "../lib/dom.js";
+import { isHere } from "../lib/here.js";
 import { recall, remember } from "../lib/memory.js";
 import { rove } from "../lib/roving_focus.js";
 
@@ -12,6 +13,7 @@ export class Drawer {
   constructor(onShow) {
     this.onShow = onShow;
     this.app = byId("cell-page");
+    if (isHere) document.querySelectorAll(".tabs [data-server]").forEach((tab) => tab.remove());
     this.tabs = /** @type {HTMLElement[]} */ ([...document.querySelectorAll(".tabs [role=tab]")]);
     const { choose } = rove(this.tabs, (tab) => this.#chosen(tab));
     this.chooseTab = choose;

@@ -4,6 +4,7 @@
 import commands from "../../../../data/commands.json";
 import { newChip, showChip } from "../lib/chip.js";
 import { byId, el } from "../lib/dom.js";
+import { isHere } from "../lib/here.js";
 import { remember } from "../lib/memory.js";
 import { kKinds } from "../rewind/event_marks.js";
 import { areKeysOn } from "./keys.js";
@@ -43,7 +44,7 @@ export class Help {
     byId("help-keys").append(section("Keys", list(keys.map(({ shown, does }) => row(el("kbd", {}, shown), does))), this.#switch()),
       section("What the status means", list(kStatuses.map(([kind, word, text]) => row(showChip(newChip(), { kind, word }), text)))),
       section("Marks of the time bar", list(Object.values(kKinds).map(({ sign, name }) => row(sign, name)))),
-      section("Read", el("ul", {}, el("li", {}, this.#first(showFirst)), ...kPages.map(([page, name]) => el("li", {}, el("a", { href: `/docs/${page}`, target: "_blank" }, name))))));
+      section("Read", el("ul", {}, el("li", {}, this.#first(showFirst)), ...(isHere ? [] : kPages).map(([page, name]) => el("li", {}, el("a", { href: `/docs/${page}`, target: "_blank" }, name))))));
   }
 
   /** @param {() => void} showFirst */

@@ -2,6 +2,7 @@
 // The menu of the robot's name: which robot, workcell, profile and cell this is, where programs connect, and how another one is chosen.
 import { copyRow } from "../lib/copy_button.js";
 import { byId, el } from "../lib/dom.js";
+import { chooseRobot, isHere, robotsHere } from "../lib/here.js";
 import { isOverview } from "../lib/place.js";
 import { hostAndPort } from "../lib/program_address.js";
 
@@ -23,7 +24,7 @@ export class RobotMenu {
     this.rows = el("dl");
     this.how = el("code");
     this.menu.replaceChildren(this.rows, el("p.hint", {}, "Change the blocks or load another workcell in the panel Workcell."), this.#button(openWorkcell),
-      el("p.hint", {}, "Robot and profile are chosen when the server starts:"), this.how);
+      ...(isHere ? this.#choice() : [el("p.hint", {}, "Robot and profile are chosen when the server starts:"), this.how]));
     this.menu.addEventListener("beforetoggle", (/** @type {any} */ { newState }) => newState === "open" && this.known.hello && this.#show());
   }
 
@@ -36,8 +37,16 @@ export class RobotMenu {
     return el("button", { type: "button", onclick: open }, "Open Workcell");
   }
 
+  /** Buttons for the robots that the page can have. */
+  #choice() {
+    const robots = el("div.robots");
+    robotsHere().then((all) => robots.append(...all.map(({ name, title }) => el("button", { type: "button", onclick: () => chooseRobot(name) }, title))));
+    return [el("p.hint", {}, "Begin anew with another robot:"), robots];
+  }
+
   async #show() {
     this.rows.replaceChildren(...this.#known());
+    if (isHere) return;
     const port = await this.getPort().catch(/** @returns {null} */ () => null);
     this.rows.replaceChildren(...this.#known(), row("Robot port", port ? copyRow(hostAndPort(port)) : "as xr3 serve has printed it"));
     const options = this.#hasCells && port ? [`--cell ${this.cellName()}=ROBOT,WORKCELL`] : ["--robot NAME", "--workcell NAME", "--compat paper|mark3"];

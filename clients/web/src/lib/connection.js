@@ -1,4 +1,4 @@
-// The monitor protocol over a WebSocket: matches responses to requests, reconnects and renews
+// The monitor protocol over a WebSocket, or what stands for one: matches responses to requests, reconnects and renews
 // subscriptions, pings a silent server, and forwards channel messages. Independent of the page.
 import { Refused } from "./refusal.js";
 
@@ -15,13 +15,14 @@ const kib = (bytes) => `${Math.ceil(bytes / 1024)} KiB`;
 
 export class Connection {
   /**
-   * @param {string} url of the WebSocket
+   * @param {() => WebSocket} connect opens the WebSocket, or something with its members readyState, send, close,
+   *   onmessage and onclose
    * @param {object} handlers
    *   onMessage(message) receives `hello` and channel messages; onStatus(status) "open", "silent"
    *   (the server does not answer) or "lost"; onTokenRefused(error) reports a rejected token.
    */
-  constructor(url, handlers) {
-    this.url = url;
+  constructor(connect, handlers) {
+    this.connect = connect;
     this.handlers = handlers;
     this.token = "";
     this.cell = null; // the cell that requests concern; null: the server's default
@@ -47,7 +48,7 @@ export class Connection {
 
   open() {
     this.openedAt = performance.now();
-    this.socket = new WebSocket(this.url, "xr3.v1");
+    this.socket = this.connect();
     this.socket.onmessage = ({ data }) => this.#take(JSON.parse(data));
     this.socket.onclose = () => this.#lost("lost");
   }

@@ -2,6 +2,7 @@
 // Three things to try, for the first visit: each is one click, and says what happened. Help shows them again.
 import { byId, el } from "../lib/dom.js";
 import { firstMove } from "../lib/first_move.js";
+import { isHere } from "../lib/here.js";
 import { recall, remember } from "../lib/memory.js";
 import { addressOf } from "../lib/program_address.js";
 
@@ -70,7 +71,7 @@ export class FirstSteps {
     return [
       ...(first ? [{ title: `Move the ${first.name}`, what: `The page sends ${first.command}: ${first.counts} counts, ${first.amount}.`, button: "Move", act: move }] : []),
       ...(block ? [{ title: `Pick up ${block.name}`, what: "It takes some seconds. A click on any block offers the same, and to go above it.", button: "Pick", act: grasp }] : []),
-      { title: "Connect a program", what: `Programs connect to ${addressOf(port)}. In a terminal: xr3 term. In Python: import xr3; robot = xr3.connect()` },
+      ...(isHere ? [] : [{ title: "Connect a program", what: `Programs connect to ${addressOf(port)}. In a terminal: xr3 term. In Python: import xr3; robot = xr3.connect()` }]),
     ];
   }
 

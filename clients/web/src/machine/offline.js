@@ -1,0 +1,35 @@
+// @ts-check
+// The service worker of the page that has the robot in itself: after one visit the page works without network. It keeps all
+// files of its folder, as of one version, and answers requests for these and for nothing else. A new version is kept beside
+// the old one until the page asks for it.
+/// <reference lib="webworker" />
+
+const kKept = `xr3-${XR3_FILES.version}`;
+const worker = /** @type {ServiceWorkerGlobalScope} */ (/** @type {unknown} */ (self));
+const folder = new URL("./", worker.location.href).href;
+const files = new Set(XR3_FILES.names.map((/** @type {string} */ name) => folder + name));
+
+async function keepAll() {
+  const kept = await caches.open(kKept);
+  await kept.addAll([...files].map((url) => new Request(url, { cache: "reload" })));
+}
+
+async function dropOthers() {
+  for (const name of await caches.keys()) if (name.startsWith("xr3-") && name !== kKept) await caches.delete(name);
+  await worker.clients.claim();
+}
+
+/** The kept file at an address; the folder itself is its index. @param {string} url */
+async function answer(url) {
+  const kept = await caches.open(kKept);
+  return (await kept.match(url)) ?? fetch(url);
+}
+
+worker.addEventListener("install", (event) => event.waitUntil(keepAll()));
+worker.addEventListener("activate", (event) => event.waitUntil(dropOthers()));
+worker.addEventListener("message", ({ data }) => data === "take over" && worker.skipWaiting());
+worker.addEventListener("fetch", (event) => {
+  const url = event.request.url.replace(/[?#].*$/, "");
+  const file = url === folder ? `${folder}index.html` : url;
+  if (event.request.method === "GET" && files.has(file)) event.respondWith(answer(file));
+});

@@ -1,0 +1,107 @@
+// The page without a server: the same panels, with the robot in the page.
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { readFile } from "node:fs/promises";
+import { fragmentOf } from "../../clients/web/src/machine/share.js";
+import { join } from "node:path";
+import { gzipSync } from "node:zlib";
+import { close, open, ready, root, showsCount } from "../web/bench.mjs";
+import { folder, serveFolder, stopServing, withRobot } from "./folder.mjs";
+
+let url;
+before(async () => (url = await serveFolder()));
+after(async () => {
+  stopServing();
+  await close();
+});
+
+const command = async (page, text) => {
+  await page.fill("#console-input", text);
+  await page.press("#console-input", "Enter");
+};
+
+test("a command moves the arm, the wire shows it, and the status says so", () => withRobot(url, async (page) => {
+  await command(page, "F+100");
+  await page.waitForFunction(() => window.xr3.known.state.moving);
+  await showsCount(page, "F", 100);
+  assert.match(await page.textContent("#wire"), /F\+100/);
+  await page.waitForFunction(() => document.querySelector("#status-word").textContent === "Ready");
+}));
+
+test("time pauses, steps, goes faster and back", () => withRobot(url, async (page) => {
+  await page.click("#pause");
+  await page.waitForFunction(() => window.xr3.known.state.clock.mode === "manual");
+  const { tick } = await page.evaluate(() => window.xr3.call("step", { ticks: 250, fields: [] }));
+  assert.equal((await page.evaluate(() => window.xr3.call("step", { ticks: 250, fields: [] }))).tick, tick + 250);
+  await page.click("#pause");
+  await page.selectOption("#rate", "20");
+  await page.waitForFunction((from) => window.xr3.known.state.tick > from + 2000, tick);
+  await page.evaluate(() => window.xr3.call("pause"));
+  const { tick: back } = await page.evaluate((at) => window.xr3.call("seek", { tick: at }), tick);
+  assert.equal(back, tick);
+}));
+
+test("it has no ports, no lines of other people, and another robot by the menu", () => withRobot(url, async (page) => {
+  assert.equal(await page.locator("#tab-lines").count(), 0);
+  await page.click("#robot-button");
+  assert.doesNotMatch(await page.textContent("#robot-menu"), /port|serve/i);
+  await page.click("#robot-menu button:has-text('Adept One')");
+  await page.waitForFunction(() => window.xr3?.known?.model?.robot.name === "Adept One");
+}));
+
+test("a link that is damaged, or has a wrong file, is refused with the reason", async () => {
+  const wrong = [["#xr3=AAAA", /This link is damaged/], [await fragmentOf({ robot: "none" }), /no file data\/robots\/none\.json \(404/],
+    [await fragmentOf({ workcell: '{"blocks": 3}' }), /workcell:1: \/blocks/]];
+  for (const [fragment, reason] of wrong) {
+    const page = await open(url + fragment);
+    await page.waitForFunction(() => document.querySelector("#status-word").textContent === "No robot");
+    assert.match(await page.textContent("#message"), reason);
+    await page.context().close();
+  }
+});
+
+test("the link that is copied has the blocks where they are now", () => withRobot(url, async (page) => {
+  await page.evaluate(() => window.xr3.call("block_move", { name: "red", xyz_mm: [300, 50, 20] }));
+  await page.waitForFunction(() => window.xr3.known.model.workcell.blocks[0].centroid[0] === 300);
+  await page.click("#more-button");
+  await page.click("#copy-link");
+  await page.waitForFunction(() => /The link is copied/.test(document.querySelector("#message").textContent));
+  const link = await page.evaluate(() => navigator.clipboard.readText());
+  assert.ok(link.startsWith(`${url}#xr3=`) && link.length < 8192, link);
+  await withRobot(link, async (other) => {
+    assert.deepEqual(await other.evaluate(() => window.xr3.known.state.blocks.find(({ name }) => name === "red").xyz_mm.slice(0, 2)), [300, 50]);
+  });
+}, { permissions: ["clipboard-read", "clipboard-write"] }));
+
+test("a link has the robot, its workcell, faults and clock", async () => {
+  const workcell = JSON.stringify({ ...JSON.parse(await readFile(`${root}data/workcells/rhino-hundred.json`, "utf8")), name: "mine" });
+  const fragment = await fragmentOf({ workcell, faults: "worn-arm", clock: "bytes" });
+  await withRobot(url + fragment, async (page) => {
+    assert.equal(await page.evaluate(() => window.xr3.known.model.workcell.name), "mine");
+    assert.equal(await page.evaluate(() => window.xr3.known.state.clock.mode), "bytes");
+    assert.ok((await page.evaluate(() => window.xr3.call("fault_list"))).faults.length > 0);
+  });
+});
+
+test("after one visit the page works without network, and only its own files come from what was kept", async () => {
+  const server = await serveFolder();
+  const page = await open(server);
+  await page.evaluate(() => navigator.serviceWorker.ready);
+  await page.reload();
+  await ready(page);
+  stopServing();
+  url = null; // no test after this one has a server
+  await page.reload();
+  await ready(page);
+  await command(page, "F+10");
+  await showsCount(page, "F", 10);
+  const outside = await page.evaluate(() => fetch("ws").then(() => "answered", () => "not answered"));
+  assert.equal(outside, "not answered");
+  await page.context().close();
+});
+
+test("the module and the script are as small as promised", async () => {
+  const module = await readFile(join(folder, "xr3.wasm"));
+  assert.ok(module.length < 2_700_000, `${module.length} bytes`);
+  assert.ok(gzipSync(module).length < 800_000, `${gzipSync(module).length} bytes of gzip`);
+});

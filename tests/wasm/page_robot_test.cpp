@@ -1,0 +1,170 @@
+// The robot in a page, natively.
+#include "wasm/page_robot.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+
+#include "tests/support/recorded.hpp"
+
+namespace xr3 {
+namespace {
+
+constexpr WallNs kMs = 1'000'000;
+
+std::string data(const std::string& path) {
+  std::ifstream file(XR3_SOURCE_DIR "/data/" + path);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+/// The Rhino with its workcell, and further members of the setup.
+PageSetup rhino_setup(const Json& more = Json::object()) {
+  Json setup = {{"product", "xr3 test"},
+                {"robot", data("robots/rhino-xr3.json")},
+                {"workcell", data("workcells/rhino-xr3.json")}};
+  setup.update(more);
+  return read_setup(setup.dump());
+}
+
+std::string failure_of(const Json& more) {
+  try {
+    rhino_setup(more);
+  } catch (const std::exception& failure) {
+    return failure.what();
+  }
+  return "";
+}
+
+std::string ask(PageRobot& robot, LineId line, const std::string& bytes) {
+  EXPECT_EQ(robot.send(line, bytes), bytes.size());
+  return robot.receive(line, 100);
+}
+
+TEST(PageRobotTest, FollowsTheWallClock) {
+  PageRobot robot(rhino_setup());
+  const LineId line = robot.open_line();
+  EXPECT_EQ(ask(robot, line, "E+50\rE?"), "R");
+  robot.set_wall(100 * kMs);
+  EXPECT_EQ(ask(robot, line, "E?"), "G") << "11 counts later";
+  EXPECT_EQ(robot.cell().state().tick, 100);
+  robot.set_wall(50 * kMs);
+  robot.catch_up();
+  EXPECT_EQ(robot.cell().state().tick, 100) << "never back";
+}
+
+TEST(PageRobotTest, TimePassesWithoutTheWallClock) {
+  PageRobot robot(rhino_setup());
+  robot.pass(2000);
+  EXPECT_EQ(robot.cell().state().tick, 2000);
+  EXPECT_EQ(robot.wall(), 2000 * kMs);
+  PageRobot manual(rhino_setup({{"clock", "manual"}}));
+  manual.pass(2000);
+  EXPECT_EQ(manual.cell().state().tick, 0);
+}
+
+TEST(PageRobotTest, ALineCloses) {
+  PageRobot robot(rhino_setup());
+  const LineId line = robot.open_line();
+  EXPECT_EQ(robot.waiting(line), 0U);
+  robot.send(line, "E?");
+  EXPECT_EQ(robot.waiting(line), 1U);
+  robot.close_line(line);
+  EXPECT_EQ(robot.waiting(line), std::nullopt);
+  EXPECT_EQ(robot.send(line, "E?"), 0U);
+  EXPECT_EQ(robot.receive(line, 1), "");
+  robot.close_line(line);
+}
+
+TEST(PageRobotTest, HasAMonitorForThePageAndOneForAProgram) {
+  PageRobot robot(rhino_setup());
+  for (std::size_t number : {0U, 1U}) {
+    EXPECT_EQ(robot.add_monitor(), number);
+    const Json hello = Json::parse(*robot.monitor(number).next_output(robot.wall()));
+    EXPECT_EQ(hello["server"], "xr3 test");
+    EXPECT_EQ(robot.monitor(number).next_output(robot.wall()), nullptr);
+  }
+}
+
+TEST(PageRobotTest, ItsRecordingReplays) {
+  PageRobot robot(rhino_setup({{"clock", "bytes"}}));
+  const LineId line = robot.open_line();
+  ask(robot, line, "E+50\r");
+  std::string recording = robot.take_recording();
+  for (int i = 0; i < 300; ++i) ask(robot, line, "E?");
+  robot.close_line(line);
+  const RunReport report = robot.finish("");
+  recording += robot.take_recording();
+  EXPECT_EQ(robot.take_recording(), "");
+  EXPECT_EQ(report.transcript.substr(0, 7), "sha256:");
+  const test::Replayed replayed = test::replay(recording);
+  EXPECT_EQ(replayed.difference ? to_text(*replayed.difference) : "", "");
+  EXPECT_EQ(replayed.state, robot.cell().state());
+}
+
+TEST(PageRobotTest, RepeatsTheRecordingOfAnotherOne) {
+  PageRobot first(rhino_setup());
+  const LineId line = first.open_line();
+  ask(first, line, "E+50\r");
+  first.set_wall(300 * kMs);
+  ask(first, line, "E?");
+  PageRobot second(rhino_setup());
+  second.set_wall(7 * kMs);
+  second.repeat(first.take_recording());
+  EXPECT_EQ(second.cell().state(), first.cell().state());
+  EXPECT_TRUE(second.cell().lines().empty());
+  second.pass(100);
+  EXPECT_EQ(second.cell().state().tick, 400);
+  second.finish("");
+  const std::string recording = second.take_recording();
+  const test::Replayed replayed = test::replay(recording);
+  EXPECT_EQ(replayed.difference ? to_text(*replayed.difference) : "", "");
+  PageRobot third(rhino_setup());
+  EXPECT_THROW(third.repeat("x"), std::exception);
+}
+
+TEST(PageRobotTest, JudgesTheGoals) {
+  const std::string goals =
+      R"({"goals":[{"kind":"joint","label":"F","count":9,"points":3},{"kind":"holding","name":"red"}]})";
+  PageRobot robot(rhino_setup({{"goals", goals}}));
+  EXPECT_EQ(robot.goals_now(), (std::vector<bool>{false, false}));
+  ask(robot, robot.open_line(), "F+9\r");
+  const RunReport good = robot.finish("");
+  EXPECT_EQ(good.outcome, RunOutcome::kFinished);
+  EXPECT_EQ(good.goals.at(0).earned(), 3);
+  EXPECT_FALSE(good.goals.at(1).is_met);
+  EXPECT_GT(good.ticks, 50) << "it came to rest";
+  const RunReport failed = robot.finish("NameError");
+  EXPECT_EQ(failed.outcome, RunOutcome::kFailed);
+  EXPECT_EQ(failed.why, "NameError");
+  EXPECT_EQ(points_of(failed.goals), 0);
+}
+
+TEST(PageRobotTest, FaultsAct) {
+  PageRobot robot(rhino_setup(
+      {{"faults", R"({"faults":[{"name":"mute","kind":"reply_lost","probability":1}]})"}}));
+  EXPECT_EQ(ask(robot, robot.open_line(), "E?"), "");
+}
+
+TEST(PageRobotTest, ABadSetupIsRefusedWithTheReason) {
+  EXPECT_NE(failure_of({{"robot", "{}"}}).find("robot:1: /"), std::string::npos);
+  EXPECT_NE(failure_of({{"workcell", R"({"blocks":3})"}}).find("workcell:1: /"), std::string::npos);
+  EXPECT_NE(failure_of({{"goals", R"({"goals":[{"kind":"x"}]})"}}).find("goals:1: /goals/0"),
+            std::string::npos);
+  EXPECT_EQ(failure_of({{"clock", "sun"}}), "clock: found sun; allowed: real, manual, bytes");
+  EXPECT_EQ(failure_of({{"compat", "x"}}), "compat: found x; allowed: paper, mark3");
+  EXPECT_NE(failure_of({{"robot", 3}}).find("the setup of the robot"), std::string::npos);
+  EXPECT_THROW(read_setup("{"), std::invalid_argument);
+}
+
+TEST(PageRobotTest, WithoutAWorkcellTheTableIsEmpty) {
+  const PageSetup setup = rhino_setup({{"workcell", ""}});
+  EXPECT_TRUE(setup.model->workcell().blocks.empty());
+}
+
+}  // namespace
+}  // namespace xr3

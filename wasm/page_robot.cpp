@@ -1,0 +1,152 @@
+#include "wasm/page_robot.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "cell/digest.hpp"
+#include "cell/judge/passive.hpp"
+#include "cell/recording/replayer.hpp"
+#include "protocol/goals/credit.hpp"
+#include "protocol/goals/judge.hpp"
+#include "protocol/recording/reader.hpp"
+
+namespace xr3 {
+namespace {
+
+// As `xr3 serve` has by default, but for the memory: a page has less.
+constexpr Tick kHistory = 3600 * kTickHz;
+constexpr std::size_t kHistoryBytes = std::size_t{32} * 1024 * 1024;
+
+SimClock start_clock(ClockMode mode) {
+  switch (mode) {
+    case ClockMode::kReal: break;
+    case ClockMode::kManual: return SimClock::manual();
+    case ClockMode::kBytes: return SimClock::bytes();
+  }
+  return SimClock::real(Rate{}, 0);
+}
+
+std::shared_ptr<Cell> make_cell(const PageSetup& setup) {
+  auto cell = std::make_shared<Cell>("main", setup.model, start_clock(setup.clock));
+  if (setup.clock == ClockMode::kBytes) cell->set_byte_clock(ByteClockSettings{});
+  if (setup.faults) cell->set_faults(*setup.faults);
+  return cell;
+}
+
+}  // namespace
+
+PageRobot::PageRobot(PageSetup setup)
+    : setup_(std::move(setup)),
+      cell_(make_cell(setup_)),
+      memory_(kHistoryBytes),
+      recording_(writer_.line(recording_header(*cell_, setup_.product))),
+      recorder_([this](const recording::Entry& entry) { record(entry); }),
+      history_(*cell_, kHistory, memory_),
+      observer_(*cell_, setup_.goals) {
+  cell_->observe(recorder_);
+}
+
+// --- Time.
+
+void PageRobot::set_wall(WallNs wall) { wall_ = std::max(wall_, wall); }
+
+void PageRobot::pass(Tick ticks) {
+  const SimClock& clock = cell_->clock();
+  if (clock.mode() != ClockMode::kReal) return;
+  set_wall(clock.when(cell_->state().tick + ticks));
+  catch_up();
+}
+
+// --- Monitors.
+
+std::size_t PageRobot::add_monitor() {
+  catch_up();
+  monitors_.push_back(std::make_unique<service::CellMonitor>(setup_.product, cell_, &history_));
+  return monitors_.size() - 1;
+}
+
+// --- Serial lines.
+
+LineId PageRobot::open_line() {
+  return cell_->apply(LineOpened{"program", LineKind::kTcp}, wall_).line;
+}
+
+std::size_t PageRobot::send(LineId line, std::string_view bytes) {
+  if (cell_->find_line(line) == nullptr) return 0;
+  return cell_->apply(BytesIn{line, bytes}, wall_).bytes_taken;
+}
+
+std::optional<std::size_t> PageRobot::waiting(LineId line) const {
+  const SerialLine* open = cell_->find_line(line);
+  if (open == nullptr) return std::nullopt;
+  return open->outbox().size();
+}
+
+std::string PageRobot::receive(LineId line, std::size_t most) {
+  const SerialLine* open = cell_->find_line(line);
+  if (open == nullptr) return {};
+  std::string bytes(open->outbox().substr(0, most));
+  cell_->sent({line, bytes.size()});
+  return bytes;
+}
+
+void PageRobot::close_line(LineId line) {
+  if (cell_->find_line(line) == nullptr) return;
+  cell_->apply(InputEnded{line}, wall_);
+  if (cell_->find_line(line) == nullptr) return;
+  cell_->apply(LineClosed{line, LineCloseReason::kClientClosed}, wall_);
+}
+
+// --- The past of another worker.
+
+void PageRobot::repeat(std::string_view recording) {
+  recording::RecordingReader reader("recording");
+  reader.add(recording);
+  reader.end();
+  reader.header();
+  cell_->begin_replay();
+  {
+    Replayer replayer(*cell_, Compared::kReplies);
+    while (const auto entry = reader.next())
+      if (const auto difference = replayer.apply(*entry))
+        throw std::runtime_error("the robot does not repeat its recording: " +
+                                 to_text(*difference));
+  }
+  cell_->end_replay(wall_);
+  while (!cell_->lines().empty()) close_line(cell_->lines().begin()->first);
+}
+
+// --- Results.
+
+std::vector<bool> PageRobot::goals_now() const {
+  std::vector<bool> met;
+  for (const GoalResult& each :
+       judge(setup_.goals, cell_->model(), cell_->state(), observer_.facts()))
+    met.push_back(each.is_met);
+  return met;
+}
+
+RunReport PageRobot::finish(std::string failure) {
+  cell_->apply(Input{call::Call{call::Pause{}}}, wall_);
+  cell_->apply(Input{call::Call{call::RunUntil{std::nullopt, kRestLimit}}}, wall_);
+  if (std::exchange(is_recording_, false)) {
+    record(recorder_.end_of(*cell_, "stopped"));
+    cell_->end_observation(recorder_);
+  }
+  const RunFacts facts = observer_.facts();
+  RunReport report;
+  report.outcome = failure.empty() ? RunOutcome::kFinished : RunOutcome::kFailed;
+  report.why = std::move(failure);
+  report.ticks = cell_->state().tick;
+  report.bytes = facts.bytes;
+  if (const Transcript* transcript = cell_->transcript())
+    report.transcript = transcript_digest(transcript->summary(), cell_->model(), cell_->state(),
+                                          cell_->clock_remainder());
+  report.goals = judge(setup_.goals, cell_->model(), cell_->state(), facts);
+  const std::vector<bool> passive = passive_goals(setup_.goals, setup_.model, setup_.faults);
+  report.not_counted = withhold(report.goals, setup_.goals, passive, report.outcome, facts);
+  return report;
+}
+
+}  // namespace xr3
