@@ -1,7 +1,7 @@
 """Runs Python programs for the robot in a browser page, unmodified.
 
 `install(robot)` replaces what a program uses to reach a robot and to wait: `socket`, `select`,
-`selectors`, `time` and `input()`.
+`selectors`, `serial`, `time` and `input()`. `xr3_page.run.run()` then runs a program.
 
 `robot` has these functions and one number. Times are in ms, simulated, from the start of the run;
 a timeout of -1 means none. A function may return a JavaScript promise instead of its value.
@@ -25,7 +25,7 @@ KeyboardInterrupt is raised as KeyboardInterrupt: that stops a program.
 
 from typing import Any
 
-from xr3_page import absent, asking, clock, selecting, sockets
+from xr3_page import absent, asking, clock, selecting, serial_modules, sockets
 from xr3_page.bridge import robot as _robot
 
 
@@ -38,5 +38,5 @@ def install(robot: Any) -> None:
 
 def replace() -> None:
     """Replaces the modules again, after a program may have changed them."""
-    for module in (absent, asking, clock, selecting, sockets):
+    for module in (absent, asking, clock, selecting, serial_modules, sockets):
         module.install()
