@@ -6,7 +6,7 @@ import os
 import socket
 import sys
 import types
-from typing import Any, Iterator, Mapping, Sequence, Union
+from typing import Any, Iterator, Mapping, Sequence, Tuple, Union
 
 import xr3_page
 from xr3_page import folder, line, report
@@ -24,7 +24,10 @@ def run(source_files: Mapping[str, Union[str, bytes]], name: str, argv: Sequence
     folder.write(from_js(source_files))
     with _restoring():
         _prepare(name, from_js(argv), from_js(environ))
-        return _exit_code(os.path.join(folder.PATH, name))
+        code, message = _outcome(os.path.join(folder.PATH, name))
+    sys.stdout.flush()
+    print(message, end="", file=sys.stderr, flush=True)
+    return code
 
 
 @contextlib.contextmanager
@@ -54,22 +57,17 @@ def _prepare(name: str, argv: Sequence[str], environ: Mapping[str, str]) -> None
     os.chdir(folder.PATH)
 
 
-def _exit_code(path: str) -> int:
-    """Executes a file; returns the exit code, after a message if the program has failed."""
+def _outcome(path: str) -> Tuple[int, str]:
+    """Executes a file; returns the exit code, and what to say if the program has failed."""
     try:
         _execute(path)
-        return 0
     except SystemExit as leaving:
-        return _code_of(leaving.code)
+        return _outcome_of_exit(leaving.code)
     except KeyboardInterrupt:
-        print("stopped", file=sys.stderr)
-        return STOPPED
+        return STOPPED, "stopped\n"
     except BaseException as error:
-        print(report.text_of(error), end="", file=sys.stderr)
-        return 1
-    finally:
-        sys.stdout.flush()
-        sys.stderr.flush()
+        return 1, report.text_of(error)
+    return 0, ""
 
 
 def _execute(path: str) -> None:
@@ -81,9 +79,8 @@ def _execute(path: str) -> None:
     exec(code, vars(main))
 
 
-def _code_of(code: Any) -> int:
-    """The exit code for the argument of SystemExit; prints it if it is a message."""
-    if code is None or isinstance(code, int):
-        return int(code or 0)
-    print(code, file=sys.stderr)
-    return 1
+def _outcome_of_exit(argument: Any) -> Tuple[int, str]:
+    """The exit code and the message for the argument of SystemExit."""
+    if argument is None or isinstance(argument, int):
+        return int(argument or 0), ""
+    return 1, f"{argument}\n"

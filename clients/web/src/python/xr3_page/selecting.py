@@ -48,6 +48,8 @@ def select(rlist: Any, wlist: Any, xlist: Any, timeout: Optional[float] = None,
         raise ValueError("timeout must be non-negative")
     readers = [(each, _line_of(each)) for each in rlist]
     writable = [each for each in wlist if _line_of(each)]
+    for each in xlist:  # which has no effect
+        _line_of(each)
     deadline = Deadline(timeout)
     while True:
         readable = [each for each, line in readers if line.is_readable()]
