@@ -4,7 +4,8 @@
 `selectors`, `serial`, `time` and `input()`. `xr3_page.run.run()` then runs a program.
 
 `robot` has these functions and one number. Times are in ms, simulated, from the start of the run;
-a timeout of -1 means none. A function may return a JavaScript promise instead of its value.
+a timeout of -1 means none. None is JavaScript's undefined, not its null. A function may return a
+promise instead of its value, except close(), which garbage collection may call.
 
     open()                                a new line to the robot: its number
     open_monitor()                        a new connection to the monitor port: its number

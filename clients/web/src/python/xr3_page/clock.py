@@ -1,5 +1,5 @@
-"""`time` in simulated time: sleeping, and the clocks. Calendar functions such as time.strftime() and
-datetime.now() stay those of the wall clock."""
+"""`time` in simulated time: sleeping, and the clocks. Calendar functions such as time.strftime()
+and datetime.now() stay those of the wall clock."""
 
 import math
 import time

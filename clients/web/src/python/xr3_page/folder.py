@@ -1,7 +1,6 @@
 """The folder in which a program runs: its files, and the modules that were imported from it."""
 
 import importlib
-import linecache
 import os
 import sys
 from types import ModuleType
@@ -21,7 +20,6 @@ def write(files: Mapping[str, Union[str, bytes]]) -> None:
             file.write(content.encode() if isinstance(content, str) else content)
         _written.add(name)
     importlib.invalidate_caches()
-    linecache.clearcache()
 
 
 def _remove(names: Iterable[str]) -> None:

@@ -146,7 +146,7 @@ class Line:
             raise ValueError("negative buffersize in recv")
         data = self._receive(size, flags)
         if flags & socket.MSG_WAITALL and self._timeout is None:
-            while data and len(data) < size and (part := self._receive(size - len(data), 0)):
+            while len(data) < size and (part := self._receive(size - len(data), 0)):
                 data += part
         return data
 
@@ -191,7 +191,7 @@ class Line:
 
     # --- Files and closing.
 
-    makefile = socket.socket.makefile  # written in Python, on recv_into(), send() and the names above
+    makefile = socket.socket.makefile  # it needs recv_into(), send() and the names above
 
     def _decref_socketios(self) -> None:
         """Called by each file of makefile() when it is closed."""

@@ -28,8 +28,6 @@ def _keep_own(shown: traceback.TracebackException) -> None:
     own = [frame for frame in shown.stack if own_name(frame.filename)]
     for frame in own:
         frame.filename = own_name(frame.filename)
-    shown.stack[:] = own
-    if not own:
-        shown.stack = None  # format() then leaves the heading out
+    shown.stack = traceback.StackSummary.from_list(own) or None  # without frames, no heading
     if getattr(shown, "filename", None):  # of a SyntaxError
         shown.filename = own_name(shown.filename) or shown.filename

@@ -18,8 +18,8 @@ OF_A_RUN = ("argv", "path", "stdin", "stdout", "stderr", "dont_write_bytecode") 
 
 def run(source_files: Mapping[str, Union[str, bytes]], name: str, argv: Sequence[str] = (),
         environ: Mapping[str, str] = types.MappingProxyType({})) -> int:
-    """Writes the source files, by name, and runs the one called `name` with the arguments `argv` and
-    these additions to the environment. Returns its exit code. The arguments may be JavaScript
+    """Writes the source files, by name, and runs the one called `name` with the arguments `argv`
+    and these additions to the environment. Returns its exit code. The arguments may be JavaScript
     objects."""
     folder.write(from_js(source_files))
     with _restoring():
@@ -32,7 +32,7 @@ def run(source_files: Mapping[str, Union[str, bytes]], name: str, argv: Sequence
 
 @contextlib.contextmanager
 def _restoring() -> Iterator[None]:
-    """Undoes at the end what a run has changed, and closes the connections that it has left open."""
+    """Undoes at the end what a run has changed, and closes connections that it has left open."""
     environment, here, main = dict(os.environ), os.getcwd(), sys.modules["__main__"]
     saved = {name: getattr(sys, name) for name in OF_A_RUN}
     try:
@@ -52,7 +52,7 @@ def _prepare(name: str, argv: Sequence[str], environ: Mapping[str, str]) -> None
     socket.setdefaulttimeout(None)
     sys.argv = [name, *argv]
     sys.path = [folder.PATH, *sys.path]
-    sys.dont_write_bytecode = True  # it would be mistaken for that of a file changed within a second
+    sys.dont_write_bytecode = True  # or a change within a second would be missed
     os.environ.update(environ)
     os.chdir(folder.PATH)
 

@@ -1,5 +1,5 @@
-"""The class in place of pyserial's Serial. Every port is the robot's; URLs with a host and a port may
-also name the monitor's. Speed and frame are checked, and have no effect."""
+"""The class in place of pyserial's Serial. Every port is the robot's; URLs with a host and a port
+may also name the monitor's. Speed and frame are checked, and have no effect."""
 
 import io
 import math
@@ -191,7 +191,7 @@ class Serial(io.RawIOBase):
         return data
 
     def _next_within(self, has_begun: bool, left: Optional[float]) -> Optional[float]:
-        """Returns the seconds to wait for the next byte: inter_byte_timeout is for all but the first."""
+        """The seconds to wait for the next byte; inter_byte_timeout is for all but the first."""
         if not has_begun or self.inter_byte_timeout is None:
             return left
         return self.inter_byte_timeout if left is None else min(left, self.inter_byte_timeout)
