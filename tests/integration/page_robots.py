@@ -163,3 +163,58 @@ class ServerRobot:
 
     def ask(self, prompt):
         return None
+
+
+class JsValue:
+    """A JavaScript object, such as a Uint8Array."""
+
+    def __init__(self, value):
+        self.value = value
+
+    def to_py(self):
+        return memoryview(self.value) if isinstance(self.value, bytes) else self.value
+
+
+class Promise:
+    def __init__(self, function):
+        self.then = function
+
+
+class JsError(Exception):
+    def __init__(self, name, message):
+        super().__init__(f"{name}: {message}")
+        self.name, self.message = name, message
+
+
+class FakeFfi:
+    """The names of pyodide.ffi that the package uses."""
+
+    JsException = JsError
+    to_js = JsValue
+
+    @staticmethod
+    def run_sync(promise):
+        return promise.then()
+
+
+class JavaScriptRobot:
+    """A robot with JavaScript's values, whose functions return promises."""
+
+    monitor_port = 9601.0
+
+    def __init__(self, robot):
+        self._robot = robot
+
+    def __getattr__(self, name):
+        def call(*arguments):
+            return Promise(lambda: self._call(name, arguments))
+        return call
+
+    def _call(self, name, arguments):
+        assert not any(isinstance(each, bytes) for each in arguments), "bytes of Python"
+        plain = [each.value if isinstance(each, JsValue) else each for each in arguments]
+        try:
+            value = getattr(self._robot, name)(*plain)
+        except OSError as error:
+            raise JsError("Error", str(error)) from None
+        return JsValue(value) if isinstance(value, bytes) else value
