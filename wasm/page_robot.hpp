@@ -66,8 +66,8 @@ class PageRobot {
 
   // --- The past of another worker.
 
-  /// Repeats the recording of a robot with the same setup, whose worker was ended: this robot is then
-  /// where that one was, except that its lines are closed. Throws DataError if the text is no
+  /// Repeats the recording of a robot with the same setup, whose worker was ended: this robot is
+  /// then where that one was, except that its lines are closed. Throws DataError if the text is no
   /// recording, and std::runtime_error if the robot does not do the same. Precondition: nothing has
   /// happened.
   void repeat(std::string_view recording);
@@ -79,8 +79,8 @@ class PageRobot {
   /// Whether each goal is met now; empty without goals.
   std::vector<bool> goals_now() const;
   /// Ends the run as `xr3 exec` does: the robot comes to rest, the recording ends, and the goals
-  /// are judged. `failure`: why the program failed; empty if it ended well. The report has no name, no
-  /// wall time and no picture.
+  /// are judged. `failure`: why the program failed; empty if it ended well. The report has no name,
+  /// no wall time and no picture.
   RunReport finish(std::string failure);
 
  private:

@@ -128,8 +128,8 @@ TEST(PageRobotTest, RepeatsTheRecordingOfAnotherOne) {
 }
 
 TEST(PageRobotTest, JudgesTheGoals) {
-  const std::string goals =
-      R"({"goals":[{"kind":"joint","label":"F","count":9,"points":3},{"kind":"holding","name":"red"}]})";
+  const std::string goals = R"({"goals":[{"kind":"joint","label":"F","count":9,"points":3},)"
+                            R"({"kind":"holding","name":"red"}]})";
   PageRobot robot(rhino_setup({{"goals", goals}}));
   EXPECT_EQ(robot.goals_now(), (std::vector<bool>{false, false}));
   ask(robot, robot.open_line(), "F+9\r");
