@@ -103,8 +103,7 @@ void PageRobot::close_line(LineId line) {
 void PageRobot::repeat(std::string_view recording) {
   recording::RecordingReader reader("recording");
   reader.add(recording);
-  reader.end();
-  reader.header();
+  if (!reader.header()) throw std::runtime_error("the recording has no first line");
   cell_->begin_replay();
   {
     Replayer replayer(*cell_, Compared::kReplies);
@@ -113,6 +112,7 @@ void PageRobot::repeat(std::string_view recording) {
         throw std::runtime_error("the robot does not repeat its recording: " +
                                  to_text(*difference));
   }
+  reader.end();
   cell_->end_replay(wall_);
   while (!cell_->lines().empty()) close_line(cell_->lines().begin()->first);
 }
