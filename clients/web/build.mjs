@@ -13,6 +13,11 @@ const kMaxBundleBytes = 850_000;
 // WebAssembly; scripts from texts stay forbidden.
 const kPolicy = "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self' blob:; img-src 'self' data: blob:; object-src 'none'; base-uri 'self'; form-action 'none'";
 
+const kPythonLicence = `This folder has Pyodide ${JSON.parse(await readFile(new URL("node_modules/pyodide/package.json", import.meta.url), "utf8")).version}, which is unchanged. It is under the Mozilla Public License 2.0
+(https://www.mozilla.org/MPL/2.0/); its source is at https://github.com/pyodide/pyodide. It contains CPython, under the licence of
+the Python Software Foundation (https://docs.python.org/3/license.html). packages.zip has the package xr3, under the licence of xr3 (MIT).
+`;
+
 const path = (name) => fileURLToPath(new URL(name, import.meta.url)); // (an address has %20 for a blank)
 const isHere = process.argv[2] === "--here";
 const out = isHere ? resolve(process.argv[3]) : path("dist");
@@ -31,6 +36,12 @@ async function robots() {
   }));
 }
 
+/** The programs of data/examples, with the titles in their first lines. */
+async function examples() {
+  const names = (await readdir(join(out, "data/examples"))).sort();
+  return Promise.all(names.map(async (name) => ({ name, title: /^"""([^:]+):/.exec(await readFile(join(out, "data/examples", name), "utf8"))?.[1] ?? name })));
+}
+
 /** The service worker, last, since it knows all other files of the folder. */
 async function bundleOffline() {
   const names = (await readdir(out, { recursive: true, withFileTypes: true })).filter((entry) => entry.isFile() && entry.name !== "offline.js")
@@ -46,7 +57,7 @@ async function bundleOffline() {
 await rm(join(out, isHere ? "assets" : ""), { recursive: true, force: true });
 await mkdir(join(out, "assets"), { recursive: true });
 await build({
-  entryPoints: ["src/main.js", "src/style.css", ...(isHere ? ["src/machine/worker.js"] : [])].map(path),
+  entryPoints: ["src/main.js", "src/style.css", ...(isHere ? ["src/machine/worker.js", "src/program/editor.js"] : [])].map(path),
   entryNames: "[name]",
   outdir: join(out, "assets"),
   bundle: true,
@@ -64,8 +75,11 @@ for (const library of ["three", "uplot"])
   await copyFile(path(`node_modules/${library}/LICENSE`), join(out, `assets/${library}-license.txt`));
 
 if (isHere) {
+  await copyFile(path("node_modules/codemirror/LICENSE"), join(out, "assets/codemirror-license.txt"));
+  await writeFile(join(out, "python/LICENSE.txt"), kPythonLicence);
   await mkdir(join(out, "data"), { recursive: true });
   await writeFile(join(out, "data/robots.json"), JSON.stringify(await robots()));
+  await writeFile(join(out, "data/examples.json"), JSON.stringify(await examples()));
   await bundleOffline();
 }
 

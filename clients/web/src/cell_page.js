@@ -1,6 +1,6 @@
 // The page of one cell. Messages from the server update `known` and all panels; user actions
 // become calls. The page uses only the public monitor protocol.
-import { connection, earlyRefusals, firstHello, onConnection } from "./start.js";
+import { connection, earlyRefusals, firstHello, machine, onConnection } from "./start.js";
 import { connectSections } from "./app/sections.js";
 import { connectSplitters } from "./app/splitters.js";
 import { Drawer } from "./app/drawer.js";
@@ -41,6 +41,7 @@ import { isHere } from "./lib/here.js";
 import { isOverview } from "./lib/place.js";
 import { pastStates } from "./plots/past_states.js";
 import { textOf } from "./lib/refusal.js";
+import { ProgramPanel } from "./program/program_panel.js";
 import { PlotPanel } from "./plots/plot_panel.js";
 import { Rewind } from "./rewind/rewind.js";
 import { Scene } from "./scene/scene.js";
@@ -171,10 +172,12 @@ new CommandMode({ run, old, known });
 byId("home").onclick = () => call("home");
 byId("reset").onclick = () => call("reset");
 byId("outlines").onchange = (event) => camera.setOutlines(event.target.checked);
+const program = isHere ? new ProgramPanel({ machine, showError, openTab: () => drawer.choose("tab-program") }) : null;
 if (isHere) keepForOffline((text, action) => messages.show(text, action));
 if (isHere) connectCopyLink({ getModel: () => connection.get("model"), getFirst: () => known.firstModel, showMessage, onError: showError });
 byId("stop-motors").onclick = () => mover.drive.stop().catch(showError);
 const drawer = new Drawer((panel) => {
+  if (panel === "program-panel") program?.show();
   if (panel === "wire-panel") wire.show();
   if (panel === "lines-panel") lines.show();
 });
@@ -202,6 +205,7 @@ const kKeys = [
   { keys: ["0"], shown: "0", does: "show all", act: () => byId("show-all").click() },
   { keys: ["f"], shown: "F", does: "full screen", act: () => byId("full-screen").click() },
   { keys: ["l"], shown: "L", does: "layers", act: () => byId("layers-button").click() },
+  ...(program ? [{ keys: ["p"], shown: "P", does: "Program", act: () => program.toggle() }, { keys: [], shown: "Ctrl Enter", does: "run the program", act: () => {} }] : []),
   { keys: ["w"], shown: "W", does: "Wire", act: () => drawer.choose("tab-wire") },
   { keys: ["j"], shown: "J", does: "open or close the drawer", act: () => byId("drawer-toggle").click() },
   { keys: ["t"], shown: "T", does: "time bar", act: () => byId("rewind").click() },
@@ -464,7 +468,7 @@ connection.follow("event");
 
 // For tests and screenshots.
 window.xr3 = {
-  known, transcriptLine, scene, paper, plots, teach,
+  program, judge: () => machine.judge(), known, transcriptLine, scene, paper, plots, teach,
   call, disconnect: () => connection.socket?.close(),
   step: (ticks) => call("step", { ticks, fields: [] }),
   tip: () => known.model && tip(known.model.robot, known.state.joints.map((joint) => joint.value)),

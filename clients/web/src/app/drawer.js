@@ -13,13 +13,14 @@ export class Drawer {
   constructor(onShow) {
     this.onShow = onShow;
     this.app = byId("cell-page");
-    if (isHere) document.querySelectorAll(".tabs [data-server]").forEach((tab) => tab.remove());
+    document.querySelectorAll(isHere ? ".tabs [data-server]" : ".tabs [data-here]").forEach((tab) => tab.remove());
     this.tabs = /** @type {HTMLElement[]} */ ([...document.querySelectorAll(".tabs [role=tab]")]);
     const { choose } = rove(this.tabs, (tab) => this.#chosen(tab));
     this.chooseTab = choose;
     byId("drawer-toggle").onclick = () => this.#setOpen(!this.isOpen);
     this.#setOpen(recall("drawer.open", !kSmall.matches), { isKept: true });
-    choose(byId(recall("drawer.tab", kPhone.matches ? "tab-joints" : "tab-wire")) ?? byId("tab-wire"));
+    const last = byId(recall("drawer.tab", kPhone.matches ? "tab-joints" : "tab-wire"));
+    choose(last && !last.hidden ? last : byId("tab-wire"));
     if (!this.isOpen) this.#setOpen(false, { isKept: true });
     this.isReady = true;
     kPhone.addEventListener("change", () => this.#leavePhone());
@@ -48,7 +49,7 @@ export class Drawer {
   /** @param {string} id */
   #showPanel(id) {
     delete this.app.dataset.phone;
-    for (const panel of /** @type {NodeListOf<HTMLElement>} */ (this.app.querySelectorAll("[role=tabpanel]"))) panel.hidden = panel.id !== id;
+    for (const panel of /** @type {NodeListOf<HTMLElement>} */ (this.app.querySelectorAll(".drawer > [role=tabpanel]"))) panel.hidden = panel.id !== id;
     this.onShow(id);
   }
 

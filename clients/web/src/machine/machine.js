@@ -1,6 +1,6 @@
 // @ts-check
-// The robot of a page without a server, seen from the page: it starts the worker, and stands where the WebSocket to a
-// server is (lib/connection.js). Of the worker it takes only texts.
+// The robot of a page without a server, seen from the page: it starts the worker, stands where the WebSocket to a server is
+// (lib/connection.js), and runs programs.
 
 /** @typedef {import("./share.js").Shared} Shared */
 
@@ -30,39 +30,69 @@ async function contentsOf(path) {
   return response.text();
 }
 
-/** The robot's monitor, with the members of a WebSocket that lib/connection.js uses. */
-export class MachineSocket {
+/** @typedef {{files: Record<string, string>, name: string}} Program */
+/**
+ * What the worker tells of a program; each is called with what came, as in worker.js.
+ * @typedef {{python: (state: string) => void, output: (part: {stream: string, text: string}) => void, asks: (prompt: string) => void,
+ *   ended: (end: {code: number, goals: boolean[]}) => void, refused: (why: string) => void}} ProgramListener
+ */
+
+/** The robot and its worker. What stands for a WebSocket is the robot's monitor, with the members that lib/connection.js uses. */
+export class Machine {
+  /** @type {number} */
+  readyState = WebSocket.CONNECTING;
+  /** @type {(event: {data: string}) => void} */
+  onmessage = () => {};
+  onclose = () => {}; // never called: a robot that has failed does not come back
+  recording = "";
+  tick = 0;
+  isRunning = false; // a program
+  /** @type {((report: any) => void) | null} */
+  judged = null;
+  /** @type {ProgramListener | null} */
+  listener = null;
+
   /** @param {() => Promise<object>} getSetup @param {(why: string) => void} onFailed there is no robot (any more) */
   constructor(getSetup, onFailed) {
     this.onFailed = onFailed;
-    /** @type {number} */
-    this.readyState = WebSocket.CONNECTING;
-    /** @type {(event: {data: string}) => void} */
-    this.onmessage = () => {};
-    this.onclose = () => {}; // never: a robot that has failed does not come back
-    this.recording = "";
     this.#start(getSetup);
   }
 
   /** @param {() => Promise<object>} getSetup */
   async #start(getSetup) {
     try {
-      const setup = await getSetup();
-      this.worker = startWorker();
-      this.worker.onmessage = ({ data }) => this.#take(data);
-      this.worker.onerror = ({ message }) => this.#fail(message || "the worker could not be started");
-      this.worker.postMessage({ begin: { module: new URL("xr3.wasm", document.baseURI).href, setup } });
-      this.readyState = WebSocket.OPEN;
+      this.setup = await getSetup();
+      this.#startWorker(null);
     } catch (failure) {
       this.#fail(/** @type {Error} */ (failure).message);
     }
   }
 
-  /** @param {{message?: unknown, recording?: unknown, failed?: unknown}} data */
-  #take({ message, recording, failed }) {
-    if (message !== undefined) this.onmessage({ data: String(message) });
-    if (recording !== undefined) this.recording += String(recording);
-    if (failed !== undefined) this.#fail(String(failed));
+  /** @param {{recording: string, tick: number} | null} past */
+  #startWorker(past) {
+    this.worker = startWorker();
+    this.worker.onmessage = ({ data }) => this.#take(data);
+    this.worker.onerror = ({ message }) => this.#fail(message || "the worker could not be started");
+    this.worker.postMessage({ begin: { module: addressOf("xr3.wasm"), python: addressOf("python/"), setup: this.setup, past } });
+    this.recording = ""; // it comes again
+    this.readyState = WebSocket.OPEN;
+  }
+
+  // A program may send anything: only texts and numbers of a bounded size are taken.
+  /** @param {Record<string, any>} data */
+  #take({ message, recording, tick, beat, failed, python, output, asks, ended, refused, report }) {
+    if (ended !== undefined || refused !== undefined) this.isRunning = false;
+    if (tick !== undefined) this.tick = Number(tick);
+    if (beat !== undefined) this.worker?.postMessage({ beat });
+    if (message !== undefined) this.onmessage({ data: textOf(message) });
+    if (recording !== undefined) this.recording += textOf(recording);
+    if (failed !== undefined) this.#fail(textOf(failed));
+    if (python !== undefined) this.listener?.python(textOf(python));
+    if (output !== undefined) this.listener?.output({ stream: textOf(output.stream), text: textOf(output.text) });
+    if (asks !== undefined) this.listener?.asks(textOf(asks));
+    if (ended !== undefined) this.listener?.ended({ code: Number(ended.code), goals: Array.from(ended.goals, Boolean) });
+    if (refused !== undefined) this.listener?.refused(textOf(refused));
+    if (report !== undefined) this.judged?.(report);
   }
 
   /** @param {string} why */
@@ -79,14 +109,55 @@ export class MachineSocket {
     this.worker?.terminate();
     this.readyState = WebSocket.CLOSED;
   }
+
+  // --- Programs.
+
+  /** @param {Program} program */
+  run(program) {
+    this.isRunning = true;
+    this.worker?.postMessage({ run: program });
+  }
+  /**
+   * Stops the program at its next call. If it makes none, its worker is ended, and the robot goes on in another one, which repeats
+   * what was recorded.
+   */
+  stop() {
+    const { worker } = this;
+    worker?.postMessage({ stop: true });
+    setTimeout(() => this.isRunning && this.worker === worker && this.#replaceWorker(), kStopWithinMs);
+  }
+  #replaceWorker() {
+    this.worker?.terminate();
+    this.isRunning = false;
+    this.#startWorker({ recording: this.recording, tick: this.tick });
+    this.listener?.ended({ code: kKilled, goals: [] });
+  }
+  /** The report of `xr3 exec` if the run ended now. @param {string} why why the program failed, or "" @returns {Promise<any>} */
+  judge(why = "") {
+    const past = { recording: this.recording, tick: this.tick };
+    this.worker?.postMessage({ judge: { setup: this.setup, past, why } });
+    return new Promise((resolve) => (this.judged = resolve));
+  }
+  /** @param {string | undefined} text undefined: the end of input */
+  answer(text) {
+    this.worker?.postMessage({ answer: text });
+  }
 }
+
+const kStopWithinMs = 300;
+const kKilled = 137; // as of a process that was killed
+const kMostText = 1 << 24;
+/** @param {unknown} value */
+const textOf = (value) => String(value).slice(0, kMostText);
+/** @param {string} file */
+const addressOf = (file) => new URL(file, document.baseURI).href;
 
 /**
  * The worker comes from a blob that imports its script, so that it inherits the policy of the page on any host: one
  * from an address of its own would have the policy of that address, and a static host sends none.
  */
 function startWorker() {
-  const script = new URL("assets/worker.js", document.baseURI).href;
+  const script = addressOf("assets/worker.js");
   const blob = URL.createObjectURL(new Blob([`import ${JSON.stringify(script)};`], { type: "text/javascript" }));
   try {
     return new Worker(blob, { type: "module" });

@@ -9,9 +9,11 @@ const worker = /** @type {ServiceWorkerGlobalScope} */ (/** @type {unknown} */ (
 const folder = new URL("./", worker.location.href).href;
 const files = new Set(XR3_FILES.names.map((/** @type {string} */ name) => folder + name));
 
+const isLate = (/** @type {string} */ url) => url.startsWith(`${folder}python/`); // 13 MB: kept when it is used first
+
 async function keepAll() {
   const kept = await caches.open(kKept);
-  await kept.addAll([...files].map((url) => new Request(url, { cache: "reload" })));
+  await kept.addAll([...files].filter((url) => !isLate(url)).map((url) => new Request(url, { cache: "reload" })));
 }
 
 async function dropOthers() {
@@ -22,7 +24,11 @@ async function dropOthers() {
 /** The kept file at an address; the folder itself is its index. @param {string} url */
 async function answer(url) {
   const kept = await caches.open(kKept);
-  return (await kept.match(url)) ?? fetch(url);
+  const found = await kept.match(url);
+  if (found) return found;
+  const fetched = await fetch(url);
+  if (fetched.ok && isLate(url)) await kept.put(url, fetched.clone());
+  return fetched;
 }
 
 worker.addEventListener("install", (event) => event.waitUntil(keepAll()));

@@ -4,6 +4,8 @@
 
 /** @typedef {import("./module.js").Module} Module */
 
+const kClocks = ["real", "manual", "bytes"];
+
 export class Robot {
   /**
    * Throws an Error that says what is wrong with the setup.
@@ -16,6 +18,10 @@ export class Robot {
     this.ahead = 0; // ms
     this.robot = module.with(JSON.stringify(setup), (place, size) => module.exports.xr3_create(place, size));
     if (this.robot === 0) throw new Error(module.text());
+  }
+
+  destroy() {
+    this.module.exports.xr3_destroy(this.robot);
   }
 
   /** The robot's functions come with the wall time. @param {string} name @param {any[]} args */
@@ -33,9 +39,39 @@ export class Robot {
     if (!isGood) throw new Error(this.module.text());
   }
 
+  // --- Time.
+
+  get tick() {
+    return this.#ask("xr3_tick");
+  }
+  /** "real": time follows the wall clock; "manual": it stands still; "bytes". */
+  get clock() {
+    return kClocks[this.#ask("xr3_clock")];
+  }
+  /** Simulated seconds per second. */
+  get rate() {
+    return this.#ask("xr3_rate");
+  }
+  /** Lets time pass to that of the wall clock. */
+  catchUp() {
+    this.#call("xr3_catch_up");
+  }
+  /** Lets ticks pass without waiting. @param {number} ticks */
+  pass(ticks) {
+    this.#call("xr3_pass", ticks);
+    this.ahead = this.#ask("xr3_wall") - (this.now() - this.begun);
+  }
   get isAtRest() {
     return this.#ask("xr3_is_at_rest") !== 0;
   }
+
+  /** Does what another robot with the same setup has done until a tick. @param {{recording: string, tick: number}} past */
+  repeat({ recording, tick }) {
+    this.#require(this.module.with(recording, (place, size) => this.#ask("xr3_repeat", place, size)));
+    this.pass(tick - this.tick);
+  }
+
+  // --- The monitor.
 
   /** A client of the robot's monitor; its first message is `hello`. */
   addMonitor() {
@@ -51,6 +87,41 @@ export class Robot {
     while (this.#call("xr3_next_message", monitor)) yield this.module.text();
   }
 
+  // --- Serial lines.
+
+  openLine() {
+    return this.#call("xr3_open_line");
+  }
+  /** The number of bytes that the line has taken; 0 if it is closed. @param {number} line @param {Uint8Array} bytes */
+  send(line, bytes) {
+    return this.module.with(bytes, (place, size) => this.#call("xr3_send", line, place, size));
+  }
+  /** The number of bytes that can be received; -1 if the line is closed. @param {number} line */
+  waiting(line) {
+    return this.#ask("xr3_waiting", line);
+  }
+  /** @param {number} line @param {number} most */
+  receive(line, most) {
+    this.#ask("xr3_receive", line, most);
+    return this.module.bytes();
+  }
+  /** @param {number} line */
+  closeLine(line) {
+    this.#call("xr3_close_line", line);
+  }
+
+  // --- Results.
+
+  /** Whether each goal is met now. @returns {boolean[]} */
+  goals() {
+    this.#ask("xr3_goals");
+    return JSON.parse(this.module.text());
+  }
+  /** Ends the run, and judges it; the report is that of `xr3 exec`. @param {string} why why the program failed, or "" */
+  finish(why) {
+    this.#require(this.module.with(why, (place, size) => this.#call("xr3_finish", place, size)));
+    return JSON.parse(this.module.text());
+  }
   /** What the recording has got since the last call. */
   takeRecording() {
     this.#ask("xr3_take_recording");

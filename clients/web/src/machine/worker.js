@@ -1,32 +1,67 @@
 // @ts-check
-// The worker in which the robot of a page lives. The page sends {begin: {module, setup}} first, and then {request}, the
-// text of a request to the monitor; the worker sends {message}, the text of one from the monitor, {recording}, what the
-// recording has got, and {failed}, why there is no robot (any more).
+// The worker in which the robot of a page lives, and a program that moves it. The page sends {begin} first, and then
+// {request}, the text of a request to the monitor, {run} and {stop} for a program, {answer} to what a program asks, and {judge}.
+// The worker sends
+//   {message}    the text of a message from the monitor
+//   {recording}  what the recording has got; {tick} the time
+//   {python}     "loading" or "ready"
+//   {output}     {stream, text} of the program; {asks} what it asks the user
+//   {beat}       a number that the page sends back
+//   {ended}      the exit code of the program, and whether each goal is met
+//   {report}     of `xr3 exec`, as if the run ended now
+//   {failed}     why there is no robot (any more); {refused} why the program does not run
 import { Module } from "./module.js";
+import { ProgramRobot } from "./program_robot.js";
+import { ProgramTime } from "./program_time.js";
+import { Python } from "./python.js";
 import { Robot } from "./robot.js";
+
+/** @typedef {{files: Record<string, string>, name: string}} Program */
 
 const kFrameMs = 16;
 const kRestMs = 100; // between two looks while nothing moves
 
+const post = self.postMessage.bind(self);
 /** @type {Robot} */
 let robot;
 let page = 0; // the monitor of the page
+let folder = ""; // of Python
 /** @type {ReturnType<typeof setTimeout>} */
 let timer;
+/** @type {Promise<Python> | null} */
+let python = null;
+/** @type {ProgramTime | null} */
+let time = null; // of the program that runs
+/** @type {((text: string | undefined) => void) | null} */
+let answer = null;
+let beat = 0;
+/** @type {(() => void) | null} */
+let goOn = null;
 
-/** @param {{module: string, setup: object}} parts */
-async function begin({ module, setup }) {
-  robot = new Robot(await Module.load(module), setup, () => performance.now());
+/**
+ * @param {{module: string, python: string, setup: object, past: {recording: string, tick: number} | null}} parts
+ *   `past`: of a robot whose worker was ended
+ */
+async function begin(parts) {
+  robot = new Robot(await Module.load(parts.module), parts.setup, () => performance.now());
+  if (parts.past) robot.repeat(parts.past);
+  folder = parts.python;
   page = robot.addMonitor();
   turn();
 }
 
-/** Sends what there is to say, and comes again. */
+/** Sends what there is to say. */
+function serve() {
+  for (const message of robot.messages(page)) post({ message });
+  const recording = robot.takeRecording();
+  if (recording) post({ recording });
+  post({ tick: robot.tick });
+}
+
+/** Serves, and comes again. */
 function turn() {
   clearTimeout(timer);
-  for (const message of robot.messages(page)) postMessage({ message });
-  const recording = robot.takeRecording();
-  if (recording) postMessage({ recording });
+  serve();
   timer = setTimeout(() => guarded(turn), robot.isAtRest ? kRestMs : kFrameMs);
 }
 
@@ -36,14 +71,96 @@ function request(text) {
   turn();
 }
 
+// --- Programs.
+
+function loadPython() {
+  if (python) return python;
+  post({ python: "loading" });
+  python = Python.load(folder, (stream, text) => post({ output: { stream, text } }));
+  return python;
+}
+
+/** @param {Program} program */
+async function run(program) {
+  try {
+    const its = await loadPython();
+    post({ python: "ready" });
+    time = new ProgramTime(robot, its.canWait, serve, heard);
+    const environ = { XR3_HOST: "robot", XR3_PORT: "9600", XR3_MONITOR_PORT: "9601", ...(robot.clock === "bytes" ? { XR3_POLL_MS: "0" } : {}) };
+    const code = await its.run(new ProgramRobot(robot, time, ask), { ...program, environ });
+    serve();
+    post({ ended: { code, goals: robot.goals() } });
+  } catch (failure) {
+    python = null;
+    post({ refused: String(/** @type {Error} */ (failure).message ?? failure) });
+  } finally {
+    time = null;
+  }
+}
+
+/**
+ * A program that only asks makes more messages than a page can show, so the page answers each {beat}, and the program waits if two
+ * were not answered.
+ * @returns {Promise<void>}
+ */
+function heard() {
+  post({ beat: ++beat });
+  return new Promise((resolve) => (goOn = resolve));
+}
+
+/** @param {number} answeredBeat */
+function goesOn(answeredBeat) {
+  if (answeredBeat < beat - 1) return;
+  goOn?.();
+  goOn = null;
+}
+
+/** @param {string} prompt @returns {Promise<string | undefined>} */
+function ask(prompt) {
+  post({ asks: prompt });
+  return new Promise((resolve) => (answer = resolve));
+}
+
+function stop() {
+  if (time) time.isStopped = true;
+  answered(undefined);
+}
+
+/** @param {string | undefined} text */
+function answered(text) {
+  answer?.(text);
+  answer = null;
+}
+
+/** Judges a copy of the robot, which comes to rest; this one goes on. @param {{setup: object, past: {recording: string, tick: number}, why: string}} end */
+function judge({ setup, past, why }) {
+  const copy = new Robot(robot.module, setup, () => 0);
+  copy.repeat(past);
+  post({ report: copy.finish(why) });
+  copy.destroy();
+}
+
+// --- Messages of the page.
+
 /** @param {() => any} work */
 async function guarded(work) {
   try {
     await work();
   } catch (failure) {
     clearTimeout(timer);
-    postMessage({ failed: String(/** @type {Error} */ (failure).message ?? failure) });
+    post({ failed: String(/** @type {Error} */ (failure).message ?? failure) });
   }
 }
 
-addEventListener("message", ({ data }) => guarded(() => (data.begin ? begin(data.begin) : request(data.request))));
+/** @param {any} data */
+function take(data) {
+  if (data.begin) return begin(data.begin);
+  if (data.run) return run(data.run);
+  if (data.stop) return stop();
+  if (data.beat) return goesOn(data.beat);
+  if (data.judge) return judge(data.judge);
+  if ("answer" in data) return answered(data.answer);
+  return request(data.request);
+}
+
+self.addEventListener("message", ({ data }) => guarded(() => take(data)));

@@ -1,0 +1,96 @@
+// @ts-check
+// The connections of a program in the page: serial lines to the robot, and clients of its monitor.
+
+/** @typedef {import("./robot.js").Robot} Robot */
+
+const kMostWaiting = 1 << 20;
+
+/** Bytes that have arrived and were not read. */
+class Arrived {
+  bytes = new Uint8Array();
+
+  /** @param {Uint8Array} more */
+  add(more) {
+    const all = new Uint8Array(this.bytes.length + more.length);
+    all.set(this.bytes);
+    all.set(more, this.bytes.length);
+    this.bytes = all;
+  }
+  /** @param {number} size @param {boolean} peek they stay */
+  read(size, peek) {
+    const read = this.bytes.slice(0, size);
+    if (!peek) this.bytes = this.bytes.slice(size);
+    return read;
+  }
+}
+
+export class RobotLine {
+  #arrived = new Arrived();
+
+  /** @param {Robot} robot */
+  constructor(robot) {
+    this.robot = robot;
+    this.line = robot.openLine();
+  }
+  get isClosed() {
+    return this.robot.waiting(this.line) < 0;
+  }
+  /** The number of bytes taken. @param {Uint8Array} bytes */
+  send(bytes) {
+    return this.robot.send(this.line, bytes);
+  }
+  /** The number of bytes that can be read now; -1 at the end. */
+  waiting() {
+    const more = this.robot.waiting(this.line);
+    if (more > 0) this.#arrived.add(this.robot.receive(this.line, more));
+    return this.#arrived.bytes.length || (more < 0 ? -1 : 0);
+  }
+  /** @param {number} size @param {boolean} peek */
+  read(size, peek) {
+    return this.#arrived.read(size, peek);
+  }
+  close() {
+    this.robot.closeLine(this.line);
+  }
+}
+
+/** A client of the monitor in the form of JSON lines. */
+export class MonitorLine {
+  #arrived = new Arrived();
+  #unfinished = "";
+  #decoder = new TextDecoder();
+  #encoder = new TextEncoder();
+  isClosed = false;
+
+  /** @param {Robot} robot */
+  constructor(robot) {
+    this.robot = robot;
+    this.monitor = robot.addMonitor();
+  }
+  /** @param {Uint8Array} bytes */
+  send(bytes) {
+    const lines = (this.#unfinished + this.#decoder.decode(bytes, { stream: true })).split("\n");
+    this.#unfinished = lines.pop();
+    for (const line of lines) {
+      this.robot.request(this.monitor, line);
+      this.#take();
+    }
+    return bytes.length;
+  }
+  // (Nothing is taken while the program does not read: the monitor then keeps only the latest frames.)
+  #take() {
+    if (this.isClosed || this.#arrived.bytes.length > kMostWaiting) return;
+    for (const message of this.robot.messages(this.monitor)) this.#arrived.add(this.#encoder.encode(`${message}\n`));
+  }
+  waiting() {
+    this.#take();
+    return this.#arrived.bytes.length || (this.isClosed ? -1 : 0);
+  }
+  /** @param {number} size @param {boolean} peek */
+  read(size, peek) {
+    return this.#arrived.read(size, peek);
+  }
+  close() {
+    this.isClosed = true;
+  }
+}

@@ -1,0 +1,103 @@
+// @ts-check
+// What a Python program in the page calls (python/xr3_page/__init__.py describes it): connections, and time.
+import { MonitorLine, RobotLine } from "./program_lines.js";
+import { Stopped } from "./program_time.js";
+
+/** @typedef {import("./robot.js").Robot} Robot @typedef {import("./program_time.js").ProgramTime} ProgramTime */
+
+const kClosed = -2;
+
+export class ProgramRobot {
+  monitor_port = 9601;
+
+  /** @param {Robot} robot @param {ProgramTime} time @param {(prompt: string) => Promise<string | undefined>} ask */
+  constructor(robot, time, ask) {
+    this.robot = robot;
+    this.time = time;
+    this.askUser = ask;
+    this.begun = Date.now() / 1000;
+    this.lines = /** @type {Map<number, RobotLine | MonitorLine>} */ (new Map());
+  }
+
+  open() {
+    return this.#add(new RobotLine(this.robot));
+  }
+  open_monitor() {
+    return this.#add(new MonitorLine(this.robot));
+  }
+  /** @param {RobotLine | MonitorLine} line */
+  #add(line) {
+    this.time.touch();
+    const number = this.lines.size + 1;
+    this.lines.set(number, line);
+    return number;
+  }
+  /** @param {number} number */
+  #line(number) {
+    const line = this.lines.get(number);
+    if (!line) throw new Error(`there is no line ${number}`);
+    return line;
+  }
+
+  /** @param {number} number @param {Uint8Array} bytes @param {number} timeout */
+  send(number, bytes, timeout) {
+    this.time.touch();
+    const line = this.#line(number);
+    const attempt = () => (line.isClosed ? kClosed : line.send(bytes));
+    const taken = attempt();
+    if (taken !== 0 || bytes.length === 0 || timeout === 0) return this.time.after(taken);
+    let later = 0;
+    return this.#then(this.time.wait(timeout, () => (later = attempt()) !== 0), () => later);
+  }
+
+  /** @param {number} number @param {number} size @param {number} timeout @param {boolean} peek */
+  receive(number, size, timeout, peek) {
+    this.time.touch();
+    const line = this.#line(number);
+    const read = () => (line.waiting() === 0 ? undefined : line.read(size, peek));
+    if (line.waiting() !== 0 || timeout === 0) return this.time.after(read());
+    return this.#then(this.time.wait(timeout, () => line.waiting() !== 0), read);
+  }
+
+  /** @template T @param {any} waited @param {() => T} give @returns {T | Promise<T>} */
+  #then(waited, give) {
+    return waited?.then ? waited.then(give) : give();
+  }
+
+  /** @param {number} number */
+  waiting(number) {
+    this.time.touch();
+    return this.time.after(this.#line(number).waiting());
+  }
+  /** @param {number} _number */
+  finish(_number) {
+    // Nothing: a line to the robot has no half-closed state that a program could notice.
+  }
+  /** @param {number} number */
+  close(number) {
+    this.#line(number).close();
+  }
+
+  /** @param {number} ms */
+  sleep(ms) {
+    this.time.touch();
+    return this.time.wait(ms, () => false);
+  }
+  now() {
+    this.time.touch();
+    return this.time.after(this.time.now());
+  }
+  wall() {
+    return this.begun;
+  }
+
+  /** @param {string} prompt */
+  ask(prompt) {
+    this.time.touch();
+    if (!this.time.canWait) throw new Error("this browser cannot ask while a program runs: input() needs Chrome or Edge 137, or Firefox 153");
+    return this.askUser(prompt).then((answer) => {
+      if (this.time.isStopped) throw new Stopped("stopped");
+      return answer;
+    });
+  }
+}

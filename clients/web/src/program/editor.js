@@ -1,0 +1,44 @@
+// @ts-check
+// The editor of programs: CodeMirror in a shadow root, where its styles are sheets that the page's policy allows. A bundle of its
+// own, which is loaded when the panel Program opens.
+import { basicSetup, EditorView } from "codemirror";
+import { indentWithTab } from "@codemirror/commands";
+import { python } from "@codemirror/lang-python";
+import { indentUnit } from "@codemirror/language";
+import { EditorSelection, EditorState, Prec } from "@codemirror/state";
+import { keymap } from "@codemirror/view";
+
+const theme = EditorView.theme({
+  "&": { height: "100%", fontSize: "13px", color: "var(--ink)", backgroundColor: "var(--sheet)" },
+  "&.cm-focused": { outline: "none" },
+  ".cm-scroller": { fontFamily: "var(--mono)" },
+  ".cm-content": { caretColor: "var(--ink)" },
+  ".cm-cursor": { borderLeftColor: "var(--ink)" },
+  ".cm-gutters": { backgroundColor: "var(--sunk)", color: "var(--soft)", border: "none" },
+  ".cm-activeLine, .cm-activeLineGutter": { backgroundColor: "var(--hover)" },
+  "&.cm-focused .cm-selectionBackground, .cm-selectionBackground": { backgroundColor: "var(--select) !important" },
+});
+
+/**
+ * @param {HTMLElement} host @param {string} text
+ * @param {{onChange: (text: string) => void, onRun: () => void}} parts
+ */
+export function openEditor(host, text, { onChange, onRun }) {
+  const root = host.attachShadow({ mode: "open" });
+  const run = Prec.highest(keymap.of([{ key: "Mod-Enter", run: () => (onRun(), true) }]));
+  const changed = EditorView.updateListener.of(({ docChanged, state }) => docChanged && onChange(state.doc.toString()));
+  const name = EditorView.contentAttributes.of({ "aria-label": "Program in Python" });
+  const extensions = [run, basicSetup, python(), keymap.of([indentWithTab]), indentUnit.of("    "), theme, changed, name];
+  const view = new EditorView({ parent: root, root, state: EditorState.create({ doc: text, extensions }) });
+  return {
+    /** @param {string} all */
+    setText: (all) => view.dispatch({ changes: { from: 0, to: view.state.doc.length, insert: all } }),
+    /** Puts the cursor at a line, from 1. @param {number} number */
+    goTo(number) {
+      const line = view.state.doc.line(Math.min(Math.max(number, 1), view.state.doc.lines));
+      view.dispatch({ selection: EditorSelection.cursor(line.from), scrollIntoView: true });
+      view.focus();
+    },
+    focus: () => view.focus(),
+  };
+}

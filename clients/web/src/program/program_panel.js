@@ -1,0 +1,173 @@
+// @ts-check
+// The panel Program: an editor, Run and Stop, what the program prints, and its goals. The program runs beside the robot, in the
+// worker. Its text is kept in the browser.
+import { byId, el, setText } from "../lib/dom.js";
+import { recall, remember } from "../lib/memory.js";
+import { ProgramOutput } from "./output.js";
+
+/** @typedef {import("../machine/machine.js").Machine} Machine */
+/** @typedef {{name: string, title: string}} Example */
+
+const kName = "main.py";
+const kStopped = new Set([130, 137]); // at a call; with its worker
+const kWide = matchMedia("(min-width: 1200px) and (min-height: 701px)");
+const kFirst = `import xr3
+
+with xr3.Robot() as robot:
+    robot.move("E", 50)
+    robot.wait("E")
+    print("The shoulder has moved.")
+`;
+
+export class ProgramPanel {
+  /** @param {{machine: Machine, showError: (error: unknown) => void, openTab: () => void}} parts */
+  constructor({ machine, showError, openTab }) {
+    this.machine = machine;
+    this.showError = showError;
+    this.openTab = openTab;
+    this.panel = byId("program-panel");
+    this.text = /** @type {string} */ (recall("program", kFirst));
+    this.output = new ProgramOutput(byId("program-output"), kName, (line) => this.editor?.goTo(line));
+    machine.listener = {
+      python: (state) => this.#setState(state === "loading" ? "Python is being loaded (13 MB, once)" : "Running"),
+      output: ({ stream, text }) => this.output.add(stream, text),
+      asks: (prompt) => this.#ask(prompt),
+      ended: (end) => this.#ended(end),
+      refused: (why) => this.#refused(why),
+    };
+    byId("program-run").onclick = () => this.run();
+    byId("program-stop").onclick = () => machine.stop();
+    byId("program-clear").onclick = () => this.output.clear();
+    byId("program-ask").onsubmit = (/** @type {Event} */ event) => this.#answer(event);
+    byId("program-button").onclick = () => this.#setOpen(byId("program-side").hidden);
+    this.#fillExamples().catch(showError);
+    kWide.addEventListener("change", () => this.#place());
+    this.#place();
+  }
+
+  // --- Its place: left of the stage on wide windows, else a tab of the drawer.
+
+  #place() {
+    const side = byId("program-side");
+    if (kWide.matches) side.append(this.panel);
+    else document.querySelector(".drawer").append(this.panel);
+    byId("program-button").hidden = !kWide.matches;
+    byId("tab-program").hidden = kWide.matches;
+    this.#setOpen(kWide.matches && recall("program.open", true), { isKept: true });
+    if (!kWide.matches) this.panel.hidden = byId("tab-program").getAttribute("aria-selected") !== "true";
+  }
+
+  /** @param {boolean} isOpen */
+  #setOpen(isOpen, { isKept = false } = {}) {
+    byId("program-side").hidden = !isOpen;
+    byId("cell-page").classList.toggle("with-program", isOpen);
+    byId("program-button").setAttribute("aria-pressed", String(isOpen));
+    if (isOpen) this.panel.hidden = false;
+    if (isOpen) this.show();
+    if (!isKept) remember("program.open", isOpen);
+  }
+
+  /** Shows or hides the panel on wide windows; else opens its tab. */
+  toggle() {
+    if (kWide.matches) this.#setOpen(byId("program-side").hidden);
+    else this.openTab();
+  }
+
+  /** Loads the editor when the panel is seen first. */
+  async show() {
+    if (this.opening) return;
+    this.opening = true;
+    try {
+      const { openEditor } = await import(/* not in this bundle */ `${new URL("assets/editor.js", document.baseURI)}`);
+      this.editor = openEditor(byId("program-editor"), this.text, { onChange: (/** @type {string} */ text) => this.#keep(text), onRun: () => this.run() });
+    } catch (error) {
+      this.opening = false;
+      this.showError(error);
+    }
+  }
+
+  /** @param {string} text */
+  #keep(text) {
+    this.text = text;
+    remember("program", text);
+  }
+
+  async #fillExamples() {
+    const response = await fetch("data/examples.json");
+    const examples = /** @type {Example[]} */ (response.ok ? await response.json() : []);
+    const select = byId("program-example");
+    select.append(...examples.map(({ name, title }) => el("option", { value: name }, title)));
+    select.onchange = async () => {
+      const text = await (await fetch(`data/examples/${select.value}`)).text();
+      select.value = "";
+      this.editor?.setText(text);
+    };
+  }
+
+  // --- Running.
+
+  run() {
+    if (this.isRunning) return;
+    this.isRunning = true;
+    this.output.clear();
+    this.#setState("Running");
+    byId("program-goals").hidden = true;
+    this.#allow();
+    this.machine.run({ files: { [kName]: this.text }, name: kName });
+  }
+
+  stop() {
+    this.machine.stop();
+  }
+
+  #allow() {
+    byId("program-run").disabled = this.isRunning;
+    byId("program-stop").disabled = !this.isRunning;
+  }
+
+  /** @param {{code: number, goals: boolean[]}} end */
+  #ended({ code, goals }) {
+    this.#over(kStopped.has(code) ? "Stopped" : code === 0 ? "Ended" : `Ended with exit code ${code}`);
+    const met = goals.filter(Boolean).length;
+    byId("program-goals").hidden = goals.length === 0;
+    setText(byId("program-goals"), `${met} of ${goals.length} goals are met`);
+  }
+
+  /** @param {string} why */
+  #refused(why) {
+    this.#over("Not run");
+    this.output.add("stderr", `${why}\n`);
+  }
+
+  /** @param {string} state */
+  #over(state) {
+    this.isRunning = false;
+    byId("program-ask").hidden = true;
+    this.#setState(state);
+    this.#allow();
+  }
+
+  /** @param {string} text */
+  #setState(text) {
+    setText(byId("program-state"), text);
+  }
+
+  // --- input().
+
+  /** @param {string} prompt */
+  #ask(prompt) {
+    this.output.add("stdout", prompt);
+    byId("program-ask").hidden = false;
+    byId("program-answer").focus();
+  }
+
+  /** @param {Event} event */
+  #answer(event) {
+    event.preventDefault();
+    const { value } = byId("program-answer");
+    byId("program-answer").value = "";
+    byId("program-ask").hidden = true;
+    this.output.add("stdout", `${value}\n`);
+    this.machine.answer(value);
+  }
+}

@@ -1,0 +1,111 @@
+// Programs in the page: Python beside the robot, in the same worker.
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { readdirSync, readFileSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { fragmentOf } from "../../clients/web/src/machine/share.js";
+import { close, root, showsCount } from "../web/bench.mjs";
+import { serveFolder, stopServing, withRobot } from "./folder.mjs";
+
+const kLoadMs = 120_000; // Python, on a busy machine
+const kViewport = { width: 1440, height: 900 };
+
+let url;
+before(async () => (url = await serveFolder()));
+after(async () => {
+  stopServing();
+  await close();
+});
+
+/** Opens the page with this setup, and calls `act` with it and a function that runs a program: to its end, or only starts it. */
+const withProgram = async (shared, act) => withRobot(url + (await fragmentOf(shared)), async (page) => {
+  const start = (text) => page.evaluate((program) => {
+    window.xr3.program.text = program;
+    window.xr3.program.run();
+  }, text);
+  const end = async () => {
+    await page.waitForFunction(() => /^(Ended|Not run|Stopped)/.test(document.querySelector("#program-state").textContent), undefined, { timeout: kLoadMs });
+    return { state: await page.textContent("#program-state"), output: await page.evaluate(() => [...document.querySelectorAll("#program-output p")].map((line) => line.textContent).join("\n")) };
+  };
+  const run = async (text) => {
+    await start(text);
+    return end();
+  };
+  await act(page, { start, end, run });
+}, { viewport: kViewport });
+
+const printed = (page, text) => page.waitForFunction((wanted) => document.querySelector("#program-output").textContent.includes(wanted), text, { timeout: kLoadMs });
+
+const kExamples = readdirSync(`${root}clients/python`).filter((name) => /^[1-6]_.*\.py$/.test(name)).sort();
+
+/** The report of `xr3 exec` on an example. */
+function judgedByExec(name) {
+  const report = join(tmpdir(), `xr3-${process.pid}-${name}.json`);
+  execFileSync(process.env.XR3, ["exec", "--clock", "bytes", "--json", report, "--quiet", "--", "/usr/bin/python3", name],
+    { cwd: `${root}clients/python`, env: { ...process.env, XR3_DATA: `${root}data`, PYTHONDONTWRITEBYTECODE: "1" } });
+  const [run] = JSON.parse(readFileSync(report, "utf8")).runs ?? [JSON.parse(readFileSync(report, "utf8"))];
+  rmSync(report);
+  return run;
+}
+
+test("each example, unchanged, ends with the same digest of all bytes and states as under xr3 exec", { skip: !process.env.XR3 }, async () => {
+  assert.equal(kExamples.length, 6);
+  for (const name of kExamples) {
+    const native = judgedByExec(name);
+    await withProgram({ clock: "bytes" }, async (page, { run }) => {
+      const { state, output } = await run(readFileSync(`${root}clients/python/${name}`, "utf8"));
+      assert.equal(state, "Ended", output);
+      const report = await page.evaluate(() => window.xr3.judge());
+      assert.deepEqual([report.transcript, report.ticks], [native.transcript, native.ticks], name);
+    });
+  }
+});
+
+test("a traceback leads to its line; the next run begins anew; input() asks; the robot's time is the program's", () => withProgram({}, async (page, { start, end, run }) => {
+  const { state, output } = await run("x = 1\n\ndef f():\n    y = undefined_name\nf()\n");
+  assert.equal(state, "Ended with exit code 1");
+  assert.match(output, /NameError/);
+  await page.click("#program-output button:has-text('line 4')");
+  assert.match((await run("print('x' in globals())")).output, /False/);
+  await start("name = input('Your name? ')\nprint('Hello', name)");
+  await page.waitForSelector("#program-answer", { state: "visible" });
+  await page.fill("#program-answer", "Ada");
+  await page.keyboard.press("Enter");
+  assert.match((await end()).output, /Your name\? Ada\nHello Ada/);
+  const timed = await run("import time, xr3\na = time.monotonic()\nwith xr3.Robot() as r:\n    r.move('E', 20)\n    while r.ask('E?') > 32:\n        pass\nprint(round(time.monotonic() - a, 1) <= 1)\ntime.sleep(0.25)\nprint(time.monotonic() - a > 0.25)");
+  assert.deepEqual(timed, { state: "Ended", output: "True\nTrue" });
+}));
+
+test("while a program runs the page is heard: pause, jog; a program that asks is stopped at once", () => withProgram({}, async (page, { start, end }) => {
+  await start("import time\nprint('begun', flush=True)\nfor i in range(10000):\n    time.sleep(0.1)");
+  await printed(page, "begun");
+  await page.click("#pause");
+  await page.waitForFunction(() => window.xr3.known.state.clock.mode === "manual");
+  await page.click("#pause");
+  await page.fill("#console-input", "F+30");
+  await page.press("#console-input", "Enter");
+  await showsCount(page, "F", 30);
+  await page.click("#program-stop");
+  assert.equal((await end()).state, "Stopped");
+}));
+
+test("an endless loop does not hang the page: the robot goes on in another worker where it was", () => withProgram({}, async (page, { start, end, run }) => {
+  await run("import xr3\nwith xr3.Robot() as robot:\n    robot.move('F', 40)\n    robot.wait('F')");
+  await start("print('loops', flush=True)\nwhile True:\n    pass");
+  await printed(page, "loops");
+  await page.click("#program-stop");
+  assert.equal((await end()).state, "Stopped");
+  await showsCount(page, "F", 40);
+  assert.match((await run("print('again')")).output, /again/);
+}));
+
+test("a hostile program reaches no network, no storage, no kept file and no other worker", () => withProgram({}, async (page, { run }) => {
+  const names = ["caches", "indexedDB", "fetch", "XMLHttpRequest", "WebSocket", "EventSource", "BroadcastChannel", "Worker", "importScripts", "Request", "Response"];
+  const { output } = await run(`import js\nprint([name for name in ${JSON.stringify(names)} if hasattr(js, name)], hasattr(js.navigator, "storage"))\n`
+    + "for what in ('eval(\"1\")', 'Function(\"return 1\")()'):\n    try:\n        js.eval(what)\n        print('evaluated')\n    except Exception as error:\n        print('refused')\n"
+    + "from pyodide.code import run_js\ntry:\n    run_js('1')\n    print('evaluated')\nexcept Exception:\n    print('refused')\n");
+  assert.equal(output, "[] False\nrefused\nrefused\nrefused");
+  assert.equal(await page.evaluate(async () => (await caches.keys()).every((name) => name.startsWith("xr3-"))), true);
+}));
