@@ -41,7 +41,7 @@ KINDS = {
     "exits_with_0": r"xr3 --version|build/release/xr3 serve --help|ulimit -n|ss -ltnp",
     "runs_the_checkout": r"\./run( .*)?",
     "runs_a_suite": r"\./test( .*)?",
-    "is_a_script": r"(scripts/(build-cost|capacity|emscripten|notes|package|pictures|release|site|viewer|llvm-tool|setup)"
+    "is_a_script": r"(scripts/(build-cost|capacity|notes|package|pictures|playground|release|site|viewer|llvm-tool|setup)"
                    r"|tests/fuzz/minimise)"
                    r"( (?!-).*)?",
     "uses_a_preset": r"(cmake|cmake --build|ctest) --preset \S+.*",
