@@ -41,9 +41,9 @@ const printed = (page, text) => page.waitForFunction((wanted) => document.queryS
 const kExamples = readdirSync(`${root}clients/python`).filter((name) => /^[1-6]_.*\.py$/.test(name)).sort();
 
 /** The report of `xr3 exec` on an example. */
-function judgedByExec(name) {
+function judgedByExec(name, ...options) {
   const report = join(tmpdir(), `xr3-${process.pid}-${name}.json`);
-  execFileSync(process.env.XR3, ["exec", "--clock", "bytes", "--json", report, "--quiet", "--", "/usr/bin/python3", name],
+  execFileSync(process.env.XR3, ["exec", "--clock", "bytes", "--json", report, "--quiet", ...options, "--", "/usr/bin/python3", name],
     { cwd: `${root}clients/python`, env: { ...process.env, XR3_DATA: `${root}data`, PYTHONDONTWRITEBYTECODE: "1" } });
   const [run] = JSON.parse(readFileSync(report, "utf8")).runs ?? [JSON.parse(readFileSync(report, "utf8"))];
   rmSync(report);
@@ -62,6 +62,20 @@ test("each example, unchanged, ends with the same digest of all bytes and states
     });
   }
 });
+
+test("goals are judged as xr3 exec judges them, also after another run", { skip: !process.env.XR3 }, () => withProgram({ clock: "bytes", goals: "find-and-pick" }, async (page, { run, end }) => {
+  const name = "6_find_and_pick.py";
+  const native = judgedByExec(name, "--goals", `${root}data/goals/find-and-pick.json`);
+  await run("import xr3\nwith xr3.Robot() as robot:\n    robot.move('F', 9)\n    robot.wait('F')");
+  await page.waitForFunction(() => /^\d+ of \d+ points/.test(document.querySelector("#program-goals").textContent));
+  assert.match(await page.textContent("#program-goals"), new RegExp(`^0 of ${native.max_points} points`));
+  await page.evaluate((text) => (window.xr3.program.text = text), readFileSync(`${root}clients/python/${name}`, "utf8"));
+  await page.click("#program-anew");
+  assert.equal((await end()).state, "Ended");
+  await page.waitForFunction((points) => document.querySelector("#program-goals").textContent.startsWith(`${points} of`), native.points);
+  const report = await page.evaluate(() => window.xr3.judge());
+  assert.deepEqual([report.goals, report.points, report.ticks, report.transcript], [native.goals, native.points, native.ticks, native.transcript]);
+}));
 
 test("a traceback leads to its line; the next run begins anew; input() asks; the robot's time is the program's", () => withProgram({}, async (page, { start, end, run }) => {
   const { state, output } = await run("x = 1\n\ndef f():\n    y = undefined_name\nf()\n");

@@ -80,8 +80,9 @@ export class Machine {
 
   // A program may send anything: only texts and numbers of a bounded size are taken.
   /** @param {Record<string, any>} data */
-  #take({ message, recording, tick, beat, failed, python, output, asks, ended, refused, report }) {
+  #take({ message, anew, recording, tick, beat, failed, python, output, asks, ended, refused, report }) {
     if (ended !== undefined || refused !== undefined) this.isRunning = false;
+    if (anew !== undefined) this.recording = "";
     if (tick !== undefined) this.tick = Number(tick);
     if (beat !== undefined) this.worker?.postMessage({ beat });
     if (message !== undefined) this.onmessage({ data: textOf(message) });
@@ -116,6 +117,10 @@ export class Machine {
   run(program) {
     this.isRunning = true;
     this.worker?.postMessage({ run: program });
+  }
+  /** Begins with another robot like the first one, as at the start. Precondition: no program runs. */
+  beginAnew() {
+    this.worker?.postMessage({ anew: true });
   }
   /**
    * Stops the program at its next call. If it makes none, its worker is ended, and the robot goes on in another one, which repeats

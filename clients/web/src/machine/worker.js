@@ -1,9 +1,11 @@
 // @ts-check
 // The worker in which the robot of a page lives, and a program that moves it. The page sends {begin} first, and then
-// {request}, the text of a request to the monitor, {run} and {stop} for a program, {answer} to what a program asks, and {judge}.
+// {request}, the text of a request to the monitor, {run} and {stop} for a program, {answer} to what a program asks, {judge}, and
+// {anew} for another robot like the first one.
 // The worker sends
 //   {message}    the text of a message from the monitor
 //   {recording}  what the recording has got; {tick} the time
+//   {anew}       what comes is of another robot
 //   {python}     "loading" or "ready"
 //   {output}     {stream, text} of the program; {asks} what it asks the user
 //   {beat}       a number that the page sends back
@@ -22,6 +24,8 @@ const kFrameMs = 16;
 const kRestMs = 100; // between two looks while nothing moves
 
 const post = self.postMessage.bind(self);
+/** @type {() => Robot} */
+let makeRobot;
 /** @type {Robot} */
 let robot;
 let page = 0; // the monitor of the page
@@ -43,10 +47,21 @@ let goOn = null;
  *   `past`: of a robot whose worker was ended
  */
 async function begin(parts) {
-  robot = new Robot(await Module.load(parts.module), parts.setup, () => performance.now());
+  const module = await Module.load(parts.module);
+  makeRobot = () => new Robot(module, parts.setup, () => performance.now());
+  robot = makeRobot();
   if (parts.past) robot.repeat(parts.past);
   folder = parts.python;
   page = robot.addMonitor();
+  turn();
+}
+
+/** Another robot, as at the start; the page is greeted again. */
+function anew() {
+  robot.destroy();
+  robot = makeRobot();
+  page = robot.addMonitor();
+  post({ anew: true });
   turn();
 }
 
@@ -157,6 +172,7 @@ function take(data) {
   if (data.begin) return begin(data.begin);
   if (data.run) return run(data.run);
   if (data.stop) return stop();
+  if (data.anew) return anew();
   if (data.beat) return goesOn(data.beat);
   if (data.judge) return judge(data.judge);
   if ("answer" in data) return answered(data.answer);

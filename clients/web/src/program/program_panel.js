@@ -36,6 +36,10 @@ export class ProgramPanel {
       refused: (why) => this.#refused(why),
     };
     byId("program-run").onclick = () => this.run();
+    byId("program-anew").onclick = () => {
+      machine.beginAnew();
+      this.run();
+    };
     byId("program-stop").onclick = () => machine.stop();
     byId("program-clear").onclick = () => this.output.clear();
     byId("program-ask").onsubmit = (/** @type {Event} */ event) => this.#answer(event);
@@ -121,16 +125,24 @@ export class ProgramPanel {
   }
 
   #allow() {
-    byId("program-run").disabled = this.isRunning;
+    for (const id of ["program-run", "program-anew"]) byId(id).disabled = this.isRunning;
     byId("program-stop").disabled = !this.isRunning;
   }
 
   /** @param {{code: number, goals: boolean[]}} end */
   #ended({ code, goals }) {
     this.#over(kStopped.has(code) ? "Stopped" : code === 0 ? "Ended" : `Ended with exit code ${code}`);
-    const met = goals.filter(Boolean).length;
-    byId("program-goals").hidden = goals.length === 0;
-    setText(byId("program-goals"), `${met} of ${goals.length} goals are met`);
+    if (goals.length > 0) this.#showVerdict(code === 0 ? "" : `the program ended with exit code ${code}`).catch(this.showError);
+  }
+
+  /** What `xr3 exec` would say of the run. @param {string} why why the program failed, or "" */
+  async #showVerdict(why) {
+    const { points, max_points: most, goals, not_counted: uncounted } = await this.machine.judge(why);
+    const items = goals.map((/** @type {any} */ { met, expected, found, hint }) => el(met ? "li.met" : "li", {}, `${met ? "✓" : "✗"} ${expected}`,
+      ...(met ? [] : [el("span.hint", {}, ` ${found}. ${hint}`)])));
+    const rest = uncounted ? [el("p.hint", {}, `Not counted: ${uncounted}.`)] : [];
+    byId("program-goals").replaceChildren(el("p", {}, el("b", {}, `${points} of ${most} points`)), el("ul", {}, ...items), ...rest);
+    byId("program-goals").hidden = false;
   }
 
   /** @param {string} why */
