@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { readFile } from "node:fs/promises";
-import { fragmentOf } from "../../clients/web/src/machine/share.js";
+import { fragmentOf, sharedIn } from "../../clients/web/src/machine/share.js";
 import { join } from "node:path";
 import { gzipSync } from "node:zlib";
 import { close, open, ready, root, showsCount } from "../web/bench.mjs";
@@ -72,6 +72,18 @@ test("the link that is copied has the blocks where they are now", () => withRobo
     assert.deepEqual(await other.evaluate(() => window.xr3.known.state.blocks.find(({ name }) => name === "red").xyz_mm.slice(0, 2)), [300, 50]);
   });
 }, { permissions: ["clipboard-read", "clipboard-write"] }));
+
+test("a program comes with a link, and is shown and not run; the link that is copied has it again", async () => {
+  await withRobot(url + (await fragmentOf({ program: "print('from a link')" })), async (page) => {
+    await page.waitForFunction(() => document.querySelector("#program-editor").shadowRoot?.textContent.includes("from a link"));
+    assert.equal(await page.textContent("#program-output"), "");
+    assert.equal(await page.evaluate(() => window.xr3.program.isRunning ?? false), false);
+    await page.click("#more-button");
+    await page.click("#copy-link");
+    await page.waitForFunction(() => /The link is copied/.test(document.querySelector("#message").textContent));
+    assert.deepEqual(await sharedIn(new URL(await page.evaluate(() => navigator.clipboard.readText())).hash), { program: "print('from a link')" });
+  }, { viewport: { width: 1440, height: 900 }, permissions: ["clipboard-read", "clipboard-write"] });
+});
 
 test("a link has the robot, its workcell, faults and clock", async () => {
   const workcell = JSON.stringify({ ...JSON.parse(await readFile(`${root}data/workcells/rhino-hundred.json`, "utf8")), name: "mine" });

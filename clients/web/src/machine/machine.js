@@ -14,7 +14,8 @@ const kUsual = "rhino-xr3";
 export async function setupOf(shared) {
   const robot = shared.robot ?? kUsual;
   const workcell = shared.workcell ?? (isName(robot) ? robot : "");
-  const setup = /** @type {Record<string, string>} */ ({ product: `xr3 ${XR3_VERSION}`, ...shared, robot, workcell });
+  const { program: _, ...files } = shared;
+  const setup = /** @type {Record<string, string>} */ ({ product: `xr3 ${XR3_VERSION}`, ...files, robot, workcell });
   for (const [member, folder] of Object.entries(kFolders))
     if (isName(setup[member])) setup[member] = await contentsOf(`data/${folder}/${setup[member]}.json`);
   return setup;

@@ -5,11 +5,11 @@
 
 /**
  * `robot` and `workcell` are names of files that the page has, or their contents.
- * @typedef {{robot?: string, workcell?: string, faults?: string, goals?: string, clock?: string, compat?: string}} Shared
+ * @typedef {{robot?: string, workcell?: string, faults?: string, goals?: string, clock?: string, compat?: string, program?: string}} Shared
  */
 
 const kName = "xr3";
-const kMembers = ["robot", "workcell", "faults", "goals", "clock", "compat"];
+const kMembers = ["robot", "workcell", "faults", "goals", "clock", "compat", "program"];
 const kMaxBytes = 1 << 20; // of the JSON: a short link can be large when it is unpacked
 /** Longer links are cut by some programs. */
 export const kMaxLink = 8192;

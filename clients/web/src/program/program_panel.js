@@ -20,13 +20,17 @@ with xr3.Robot() as robot:
 `;
 
 export class ProgramPanel {
-  /** @param {{machine: Machine, showError: (error: unknown) => void, openTab: () => void}} parts */
-  constructor({ machine, showError, openTab }) {
+  /**
+   * @param {{machine: Machine, given: Promise<string | undefined>, showError: (error: unknown) => void, openTab: () => void}} parts
+   *   `given`: a program that came with a link; it is shown and not run, and the kept one is not lost until somebody edits
+   */
+  constructor({ machine, given, showError, openTab }) {
     this.machine = machine;
     this.showError = showError;
     this.openTab = openTab;
     this.panel = byId("program-panel");
     this.text = /** @type {string} */ (recall("program", kFirst));
+    this.given = given.then((text) => (this.text = text ?? this.text)).catch(() => {}); // the page says that the link is damaged
     this.output = new ProgramOutput(byId("program-output"), kName, (line) => this.editor?.goTo(line));
     machine.listener = {
       python: (state) => this.#setState(state === "loading" ? "Python is being loaded (13 MB, once)" : "Running"),
@@ -82,6 +86,7 @@ export class ProgramPanel {
     if (this.opening) return;
     this.opening = true;
     try {
+      await this.given;
       const { openEditor } = await import(/* not in this bundle */ `${new URL("assets/editor.js", document.baseURI)}`);
       this.editor = openEditor(byId("program-editor"), this.text, { onChange: (/** @type {string} */ text) => this.#keep(text), onRun: () => this.run() });
     } catch (error) {
