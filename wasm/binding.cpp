@@ -134,6 +134,7 @@ XR3_EXPORT int xr3_repeat(PageRobot* robot, const char* recording, std::size_t s
 
 // --- Results, as the text.
 
+XR3_EXPORT void xr3_end_recording(PageRobot* robot) { robot->end_recording(); }
 XR3_EXPORT void xr3_take_recording(PageRobot* robot) { last_text = robot->take_recording(); }
 XR3_EXPORT void xr3_goals(const PageRobot* robot) {
   last_text = nlohmann::json(robot->goals_now()).dump();

@@ -119,6 +119,12 @@ void PageRobot::repeat(std::string_view recording) {
 
 // --- Results.
 
+void PageRobot::end_recording() {
+  if (!std::exchange(is_recording_, false)) return;
+  record(recorder_.end_of(*cell_, "stopped"));
+  cell_->end_observation(recorder_);
+}
+
 std::vector<bool> PageRobot::goals_now() const {
   std::vector<bool> met;
   for (const GoalResult& each :
@@ -130,10 +136,7 @@ std::vector<bool> PageRobot::goals_now() const {
 RunReport PageRobot::finish(std::string failure) {
   cell_->apply(Input{call::Call{call::Pause{}}}, wall_);
   cell_->apply(Input{call::Call{call::RunUntil{std::nullopt, kRestLimit}}}, wall_);
-  if (std::exchange(is_recording_, false)) {
-    record(recorder_.end_of(*cell_, "stopped"));
-    cell_->end_observation(recorder_);
-  }
+  end_recording();
   const RunFacts facts = observer_.facts();
   RunReport report;
   report.outcome = failure.empty() ? RunOutcome::kFinished : RunOutcome::kFailed;

@@ -76,6 +76,8 @@ class PageRobot {
 
   /// The lines of the recording since the last call. Together they are a file that xr3 replays.
   std::string take_recording() { return std::exchange(recording_, {}); }
+  /// Ends the recording at the current tick; no effect if it has ended.
+  void end_recording();
   /// Whether each goal is met now; empty without goals.
   std::vector<bool> goals_now() const;
   /// Ends the run as `xr3 exec` does: the robot comes to rest, the recording ends, and the goals

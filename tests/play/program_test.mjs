@@ -1,6 +1,6 @@
 // Programs in the page: Python beside the robot, in the same worker.
 import assert from "node:assert/strict";
-import { execFileSync } from "node:child_process";
+import { execFileSync, spawnSync } from "node:child_process";
 import { readdirSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -75,6 +75,16 @@ test("goals are judged as xr3 exec judges them, also after another run", { skip:
   await page.waitForFunction((points) => document.querySelector("#program-goals").textContent.startsWith(`${points} of`), native.points);
   const report = await page.evaluate(() => window.xr3.judge());
   assert.deepEqual([report.goals, report.points, report.ticks, report.transcript], [native.goals, native.points, native.ticks, native.transcript]);
+}));
+
+test("the recording of the page is repeated by xr3 replay, with nothing different", { skip: !process.env.XR3 }, () => withProgram({}, async (page, { run }) => {
+  await run("import time, xr3\nwith xr3.Robot() as robot:\n    robot.move('E', 50)\n    time.sleep(0.2)\n    print(robot.ask('E?'))");
+  await page.evaluate(() => window.xr3.call("pause"));
+  await page.click("#more-button");
+  const [file] = await Promise.all([page.waitForEvent("download"), page.click("#save-recording")]);
+  const done = spawnSync(process.env.XR3, ["replay", await file.path()], { encoding: "utf8" });
+  assert.match(done.stderr, /everything is as recorded/);
+  assert.equal(done.status, 0);
 }));
 
 test("a traceback leads to its line; the next run begins anew; input() asks; the robot's time is the program's", () => withProgram({}, async (page, { start, end, run }) => {

@@ -25,7 +25,7 @@ import { DeviceNotice } from "./panels/device_notice.js";
 import { DigitalLines } from "./inspector/digital_lines.js";
 import { BlockCard } from "./stage/block_card.js";
 import { BlockDrag } from "./stage/block_drag.js";
-import { byId, el, isSame, setText } from "./lib/dom.js";
+import { byId, download, el, isSame, setText } from "./lib/dom.js";
 import { JointPanel } from "./inspector/joint_panel.js";
 import { LinesPanel } from "./panels/lines_panel.js";
 import { tip } from "./lib/kinematics.js";
@@ -174,6 +174,8 @@ byId("reset").onclick = () => call("reset");
 byId("outlines").onchange = (event) => camera.setOutlines(event.target.checked);
 const program = isHere ? new ProgramPanel({ machine, given: sharedHere().then(({ program: text }) => text), showError, openTab: () => drawer.choose("tab-program") }) : null;
 if (isHere) keepForOffline((text, action) => messages.show(text, action));
+byId("save-recording").hidden = !isHere;
+byId("save-recording").onclick = async () => download("robot.xr3rec", await machine.save(), "application/octet-stream");
 if (isHere) connectCopyLink({ getModel: () => connection.get("model"), getFirst: () => known.firstModel, getProgram: () => program.text, showMessage, onError: showError });
 byId("stop-motors").onclick = () => mover.drive.stop().catch(showError);
 const drawer = new Drawer((panel) => {

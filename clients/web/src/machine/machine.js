@@ -50,6 +50,8 @@ export class Machine {
   isRunning = false; // a program
   /** @type {((report: any) => void) | null} */
   judged = null;
+  /** @type {((recording: string) => void) | null} */
+  saved = null;
   /** @type {ProgramListener | null} */
   listener = null;
 
@@ -81,7 +83,7 @@ export class Machine {
 
   // A program may send anything: only texts and numbers of a bounded size are taken.
   /** @param {Record<string, any>} data */
-  #take({ message, anew, recording, tick, beat, failed, python, output, asks, ended, refused, report }) {
+  #take({ message, anew, recording, tick, beat, failed, python, output, asks, ended, refused, report, saved }) {
     if (ended !== undefined || refused !== undefined) this.isRunning = false;
     if (anew !== undefined) this.recording = "";
     if (tick !== undefined) this.tick = Number(tick);
@@ -95,6 +97,7 @@ export class Machine {
     if (ended !== undefined) this.listener?.ended({ code: Number(ended.code), goals: Array.from(ended.goals, Boolean) });
     if (refused !== undefined) this.listener?.refused(textOf(refused));
     if (report !== undefined) this.judged?.(report);
+    if (saved !== undefined) this.saved?.(textOf(saved));
   }
 
   /** @param {string} why */
@@ -144,6 +147,11 @@ export class Machine {
     this.worker?.postMessage({ judge: { setup: this.setup, past, why } });
     return new Promise((resolve) => (this.judged = resolve));
   }
+  /** The recording as a file, which ends now. @returns {Promise<string>} */
+  save() {
+    this.worker?.postMessage({ save: { setup: this.setup, past: { recording: this.recording, tick: this.tick } } });
+    return new Promise((resolve) => (this.saved = resolve));
+  }
   /** @param {string | undefined} text undefined: the end of input */
   answer(text) {
     this.worker?.postMessage({ answer: text });
@@ -152,7 +160,7 @@ export class Machine {
 
 const kStopWithinMs = 300;
 const kKilled = 137; // as of a process that was killed
-const kMostText = 1 << 24;
+const kMostText = 1 << 28; // a recording may be long
 /** @param {unknown} value */
 const textOf = (value) => String(value).slice(0, kMostText);
 /** @param {string} file */

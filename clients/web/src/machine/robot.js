@@ -122,6 +122,10 @@ export class Robot {
     this.#require(this.module.with(why, (place, size) => this.#call("xr3_finish", place, size)));
     return JSON.parse(this.module.text());
   }
+  /** Ends the recording now. */
+  endRecording() {
+    this.#ask("xr3_end_recording");
+  }
   /** What the recording has got since the last call. */
   takeRecording() {
     this.#ask("xr3_take_recording");

@@ -1,7 +1,7 @@
 // @ts-check
 // The worker in which the robot of a page lives, and a program that moves it. The page sends {begin} first, and then
-// {request}, the text of a request to the monitor, {run} and {stop} for a program, {answer} to what a program asks, {judge}, and
-// {anew} for another robot like the first one.
+// {request}, the text of a request to the monitor, {run} and {stop} for a program, {answer} to what a program asks, {judge} and
+// {save}, and {anew} for another robot like the first one.
 // The worker sends
 //   {message}    the text of a message from the monitor
 //   {recording}  what the recording has got; {tick} the time
@@ -10,6 +10,7 @@
 //   {output}     {stream, text} of the program; {asks} what it asks the user
 //   {beat}       a number that the page sends back
 //   {ended}      the exit code of the program, and whether each goal is met
+//   {saved}      the recording, to its end now
 //   {report}     of `xr3 exec`, as if the run ended now
 //   {failed}     why there is no robot (any more); {refused} why the program does not run
 import { Module } from "./module.js";
@@ -155,6 +156,15 @@ function judge({ setup, past, why }) {
   copy.destroy();
 }
 
+/** Ends the recording of a copy of the robot. @param {{setup: object, past: {recording: string, tick: number}}} parts */
+function save({ setup, past }) {
+  const copy = new Robot(robot.module, setup, () => 0);
+  copy.repeat(past);
+  copy.endRecording();
+  post({ saved: copy.takeRecording() });
+  copy.destroy();
+}
+
 // --- Messages of the page.
 
 /** @param {() => any} work */
@@ -175,6 +185,7 @@ function take(data) {
   if (data.anew) return anew();
   if (data.beat) return goesOn(data.beat);
   if (data.judge) return judge(data.judge);
+  if (data.save) return save(data.save);
   if ("answer" in data) return answered(data.answer);
   return request(data.request);
 }
