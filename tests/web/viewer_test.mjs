@@ -316,7 +316,7 @@ test("the page is at most 300 kB, compressed, and the robot appears soon", async
 });
 
 test("the scripts work 3 ms a frame while the robot moves", () =>
-  withPage([], async (page, server) => {
+  withPage(["--clock", "real:0.25"], async (page, server) => {  // slow, so that a busy machine draws enough frames
     const session = await page.context().newCDPSession(page);
     await session.send("Performance.enable", { timeDomain: "threadTicks" });
     const scripts = async () => (await session.send("Performance.getMetrics")).metrics.find(({ name }) => name === "ScriptDuration").value;
