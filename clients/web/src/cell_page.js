@@ -107,7 +107,7 @@ const tool = new ToolPanel({
 const blockCard = new BlockCard({ host: document.querySelector(".stage"), hands, tool, onError: showError });
 const firstSteps = new FirstSteps({
   stage: document.querySelector(".stage"), side: document.querySelector(".side"), send: (text) => commandLine.transmit(text),
-  pick: (name) => blockCard.pick(name), getPort: robotPort, lock, onError: showError,
+  pick: (name) => blockCard.pick(name), getPort: robotPort, runProgram: () => program.run(), lock, onError: showError,
 });
 
 /** The cell of this page; `hello` names the server's usual one. */

@@ -117,6 +117,7 @@ export class ProgramPanel {
 
   run() {
     if (this.isRunning) return;
+    if (byId("program-side").hidden) this.toggle();
     this.isRunning = true;
     this.output.clear();
     this.#setState("Running");

@@ -13,14 +13,15 @@ const kPhone = matchMedia("(max-width: 899px)");
 export class FirstSteps {
   /**
    * @param {{stage: HTMLElement, side: HTMLElement, send: (text: string) => Promise<unknown>, pick: (block: string) => Promise<void>,
-   *   getPort: () => Promise<number | null>, lock: {apply: () => void}, onError: (error: unknown) => void}} parts
+   *   getPort: () => Promise<number | null>, runProgram: () => void, lock: {apply: () => void}, onError: (error: unknown) => void}} parts
    */
-  constructor({ stage, side, send, pick, getPort, lock, onError }) {
+  constructor({ stage, side, send, pick, getPort, runProgram, lock, onError }) {
     this.stage = stage;
     this.side = side;
     this.send = send;
     this.pick = pick;
     this.getPort = getPort;
+    this.runProgram = runProgram;
     this.lock = lock;
     this.onError = onError;
     this.card = el("section.first", { id: "first-steps", "aria-label": "Three things to try", hidden: true });
@@ -63,6 +64,10 @@ export class FirstSteps {
       await this.send(`${first.command}\r`);
       return `Done: the page sent ${first.command}. ${first.counts} counts moved the ${first.name} by ${first.amount}. See it in Wire.`;
     };
+    const run = async () => {
+      this.runProgram();
+      return "It runs: see the panel Program. The first time, the browser loads Python.";
+    };
     const [block] = workcell.blocks;
     const grasp = async () => {
       await this.pick(block.name);
@@ -71,7 +76,7 @@ export class FirstSteps {
     return [
       ...(first ? [{ title: `Move the ${first.name}`, what: `The page sends ${first.command}: ${first.counts} counts, ${first.amount}.`, button: "Move", act: move }] : []),
       ...(block ? [{ title: `Pick up ${block.name}`, what: "It takes some seconds. A click on any block offers the same, and to go above it.", button: "Pick", act: grasp }] : []),
-      ...(isHere ? [] : [{ title: "Connect a program", what: `Programs connect to ${addressOf(port)}. In a terminal: xr3 term. In Python: import xr3; robot = xr3.connect()` }]),
+      isHere ? { title: "Run a program", what: "The panel Program has one in Python. Change it, or open an example.", button: "Run", act: run } : { title: "Connect a program", what: `Programs connect to ${addressOf(port)}. In a terminal: xr3 term. In Python: import xr3; robot = xr3.connect()` },
     ];
   }
 
