@@ -30,6 +30,8 @@ let makeRobot;
 /** @type {Robot} */
 let robot;
 let page = 0; // the monitor of the page
+/** @type {Promise<void>} */
+let begun;
 let folder = ""; // of Python
 /** @type {ReturnType<typeof setTimeout>} */
 let timer;
@@ -178,8 +180,9 @@ async function guarded(work) {
 }
 
 /** @param {any} data */
-function take(data) {
-  if (data.begin) return begin(data.begin);
+async function take(data) {
+  if (data.begin) return (begun = begin(data.begin));
+  await begun; // what comes before there is a robot waits
   if (data.run) return run(data.run);
   if (data.stop) return stop();
   if (data.anew) return anew();
