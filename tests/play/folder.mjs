@@ -22,9 +22,15 @@ export function stopServing() {
   for (const child of servers) child.kill("SIGKILL");
 }
 
-/** Opens the page at an address of the folder, and calls `act` with it. No error may be in its console. */
+/** Opens the page at an address of the folder, and calls `act` with it. No error may be in its console. With `hasClock`, page.clock can
+ * let time pass on the page. */
 export async function withRobot(url, act, options = {}) {
-  const page = await open(url, options);
+  const { hasClock, ...more } = options;
+  const page = await open(hasClock ? "about:blank" : url, more);
+  if (hasClock) {
+    await page.clock.install();
+    await page.goto(url);
+  }
   try {
     await ready(page);
     await act(page);

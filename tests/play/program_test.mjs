@@ -20,7 +20,7 @@ after(async () => {
 });
 
 /** Opens the page with this setup, and calls `act` with it and a function that runs a program: to its end, or only starts it. */
-const withProgram = async (shared, act) => withRobot(url + (await fragmentOf(shared)), async (page) => {
+const withProgram = async (shared, act, options = {}) => withRobot(url + (await fragmentOf(shared)), async (page) => {
   const start = (text) => page.evaluate((program) => {
     window.xr3.program.text = program;
     window.xr3.program.run();
@@ -34,7 +34,7 @@ const withProgram = async (shared, act) => withRobot(url + (await fragmentOf(sha
     return end();
   };
   await act(page, { start, end, run });
-}, { viewport: kViewport });
+}, { viewport: kViewport, ...options });
 
 const printed = (page, text) => page.waitForFunction((wanted) => document.querySelector("#program-output").textContent.includes(wanted), text, { timeout: kLoadMs });
 
@@ -119,11 +119,12 @@ test("an endless loop does not hang the page: the robot goes on in another worke
   await run("import xr3\nwith xr3.Robot() as robot:\n    robot.move('F', 40)\n    robot.wait('F')");
   await start("print('loops', flush=True)\nwhile True:\n    pass");
   await printed(page, "loops");
+  await page.clock.fastForward(60_000); // the page does not take the robot for lost
   await page.click("#program-stop");
   assert.equal((await end()).state, "Stopped");
   await showsCount(page, "F", 40);
   assert.match((await run("print('again')")).output, /again/);
-}));
+}, { hasClock: true }));
 
 test("a hostile program reaches no network, no storage, no kept file and no other worker", () => withProgram({}, async (page, { run }) => {
   const names = ["caches", "indexedDB", "fetch", "XMLHttpRequest", "WebSocket", "EventSource", "BroadcastChannel", "Worker", "importScripts", "Request", "Response"];

@@ -175,7 +175,7 @@ byId("outlines").onchange = (event) => camera.setOutlines(event.target.checked);
 const program = isHere ? new ProgramPanel({ machine, given: sharedHere().then(({ program: text }) => text), showError, openTab: () => drawer.choose("tab-program") }) : null;
 if (isHere) keepForOffline((text, action) => messages.show(text, action));
 byId("save-recording").hidden = !isHere;
-byId("save-recording").onclick = async () => download("robot.xr3rec", await machine.save(), "application/octet-stream");
+byId("save-recording").onclick = () => machine.save().then((text) => download("robot.xr3rec", text, "application/octet-stream")).catch(showError);
 if (isHere) connectCopyLink({ getModel: () => connection.get("model"), getFirst: () => known.firstModel, getProgram: () => program.text, showMessage, onError: showError });
 byId("stop-motors").onclick = () => mover.drive.stop().catch(showError);
 const drawer = new Drawer((panel) => {

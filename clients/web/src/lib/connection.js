@@ -1,4 +1,4 @@
-// The monitor protocol over a WebSocket, or what stands for one: matches responses to requests, reconnects and renews
+// The monitor protocol over a WebSocket, or over an object with the same members: matches responses to requests, reconnects and renews
 // subscriptions, pings a silent server, and forwards channel messages. Independent of the page.
 import { Refused } from "./refusal.js";
 
@@ -16,7 +16,7 @@ const kib = (bytes) => `${Math.ceil(bytes / 1024)} KiB`;
 export class Connection {
   /**
    * @param {() => WebSocket} connect opens the WebSocket, or something with its members readyState, send, close,
-   *   onmessage and onclose
+   *   onmessage and onclose; with `mayBeSilent`, it is not asked whether it is still there
    * @param {object} handlers
    *   onMessage(message) receives `hello` and channel messages; onStatus(status) "open", "silent"
    *   (the server does not answer) or "lost"; onTokenRefused(error) reports a rejected token.
@@ -70,7 +70,7 @@ export class Connection {
   // --- Keep-alive: a cut network or a hanging server does not close the socket.
 
   #askIfQuiet() {
-    if (!this.socket || performance.now() - Math.max(this.heardAt ?? 0, this.openedAt) < kQuietMs) return;
+    if (!this.socket || this.socket.mayBeSilent || performance.now() - Math.max(this.heardAt ?? 0, this.openedAt) < kQuietMs) return;
     if (!this.isGreeted) return this.#giveUp();
     this.request({ op: "ping" }, { withinMs: kPongWithinMs }).catch((error) => error.isTimeout && this.#giveUp());
   }

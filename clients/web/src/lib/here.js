@@ -6,7 +6,7 @@ import { fragmentOf, sharedIn } from "../machine/share.js";
 
 export const isHere = document.documentElement.dataset.robot === "here";
 
-/** What the address of the page holds; rejects with an Error for the user if it is damaged. */
+/** The robot, its files and the program in the address of the page. Rejects with an Error for the user if the address is damaged. */
 export const sharedHere = async () => (await sharedIn(location.hash)) ?? {};
 
 if (isHere) addEventListener("hashchange", () => location.reload()); // another link in the same tab

@@ -1,6 +1,6 @@
 // @ts-check
-// The robot of a page without a server, seen from the page: it starts the worker, stands where the WebSocket to a server is
-// (lib/connection.js), and runs programs.
+// The page's side of a robot without a server: starts the worker in which the robot lives, carries the messages of its monitor as a
+// WebSocket does (lib/connection.js), and runs programs.
 
 /** @typedef {import("./share.js").Shared} Shared */
 
@@ -33,25 +33,24 @@ async function contentsOf(path) {
 
 /** @typedef {{files: Record<string, string>, name: string}} Program */
 /**
- * What the worker tells of a program; each is called with what came, as in worker.js.
+ * Called with the worker's messages about a program; worker.js describes them.
  * @typedef {{python: (state: string) => void, output: (part: {stream: string, text: string}) => void, asks: (prompt: string) => void,
  *   ended: (end: {code: number, goals: boolean[]}) => void, refused: (why: string) => void}} ProgramListener
  */
 
-/** The robot and its worker. What stands for a WebSocket is the robot's monitor, with the members that lib/connection.js uses. */
+/** The robot and its worker. It has the members of a WebSocket that lib/connection.js uses, for the robot's monitor. */
 export class Machine {
   /** @type {number} */
   readyState = WebSocket.CONNECTING;
+  mayBeSilent = true; // while a program makes no call
   /** @type {(event: {data: string}) => void} */
   onmessage = () => {};
   onclose = () => {}; // never called: a robot that has failed does not come back
   recording = "";
   tick = 0;
   isRunning = false; // a program
-  /** @type {((report: any) => void) | null} */
-  judged = null;
-  /** @type {((recording: string) => void) | null} */
-  saved = null;
+  /** @type {{resolve: (value: any) => void, reject: (error: Error) => void} | null} */
+  waiting = null; // for the result of a copy
   /** @type {ProgramListener | null} */
   listener = null;
 
@@ -81,23 +80,35 @@ export class Machine {
     this.readyState = WebSocket.OPEN;
   }
 
-  // A program may send anything: only texts and numbers of a bounded size are taken.
+  // A program may send anything: only texts and numbers are taken.
   /** @param {Record<string, any>} data */
-  #take({ message, anew, recording, tick, beat, failed, python, output, asks, ended, refused, report, saved }) {
+  #take({ message, anew, recording, tick, beat, failed, python, output, asks, ended, refused, copied }) {
     if (ended !== undefined || refused !== undefined) this.isRunning = false;
     if (anew !== undefined) this.recording = "";
     if (tick !== undefined) this.tick = Number(tick);
     if (beat !== undefined) this.worker?.postMessage({ beat });
     if (message !== undefined) this.onmessage({ data: textOf(message) });
-    if (recording !== undefined) this.recording += textOf(recording);
+    if (recording !== undefined) this.recording += String(recording);
     if (failed !== undefined) this.#fail(textOf(failed));
     if (python !== undefined) this.listener?.python(textOf(python));
-    if (output !== undefined) this.listener?.output({ stream: textOf(output.stream), text: textOf(output.text) });
+    if (output !== undefined) this.listener?.output({ stream: textOf(output?.stream), text: textOf(output?.text) });
     if (asks !== undefined) this.listener?.asks(textOf(asks));
-    if (ended !== undefined) this.listener?.ended({ code: Number(ended.code), goals: Array.from(ended.goals, Boolean) });
-    if (refused !== undefined) this.listener?.refused(textOf(refused));
-    if (report !== undefined) this.judged?.(report);
-    if (saved !== undefined) this.saved?.(textOf(saved));
+    if (ended !== undefined) this.listener?.ended({ code: Number(ended?.code), goals: Array.from(ended?.goals ?? [], Boolean) });
+    if (refused !== undefined) this.#refused(textOf(refused));
+    if (copied !== undefined) this.#copied(copied ?? {});
+  }
+
+  /** Python could not be loaded, or has failed: the next run gets a worker that can load it. @param {string} why */
+  #refused(why) {
+    this.#replaceWorker();
+    this.listener?.refused(why);
+  }
+
+  /** @param {{value?: any, error?: unknown}} result */
+  #copied({ value, error }) {
+    if (error === undefined) this.waiting?.resolve(value);
+    else this.waiting?.reject(new Error(textOf(error)));
+    this.waiting = null;
   }
 
   /** @param {string} why */
@@ -133,24 +144,34 @@ export class Machine {
   stop() {
     const { worker } = this;
     worker?.postMessage({ stop: true });
-    setTimeout(() => this.isRunning && this.worker === worker && this.#replaceWorker(), kStopWithinMs);
+    setTimeout(() => this.isRunning && this.worker === worker && this.#kill(), kStopWithinMs);
+  }
+  #kill() {
+    this.isRunning = false;
+    this.#replaceWorker();
+    this.listener?.ended({ code: kKilled, goals: [] });
+  }
+  get #past() {
+    return { recording: this.recording, tick: this.tick };
   }
   #replaceWorker() {
     this.worker?.terminate();
-    this.isRunning = false;
-    this.#startWorker({ recording: this.recording, tick: this.tick });
-    this.listener?.ended({ code: kKilled, goals: [] });
+    this.waiting?.reject(new Error("the robot's worker was ended"));
+    this.#startWorker(this.#past);
   }
+
   /** The report of `xr3 exec` if the run ended now. @param {string} why why the program failed, or "" @returns {Promise<any>} */
   judge(why = "") {
-    const past = { recording: this.recording, tick: this.tick };
-    this.worker?.postMessage({ judge: { setup: this.setup, past, why } });
-    return new Promise((resolve) => (this.judged = resolve));
+    return this.#askCopy({ judge: { past: this.#past, why } });
   }
   /** The recording as a file, which ends now. @returns {Promise<string>} */
   save() {
-    this.worker?.postMessage({ save: { setup: this.setup, past: { recording: this.recording, tick: this.tick } } });
-    return new Promise((resolve) => (this.saved = resolve));
+    return this.#askCopy({ save: { past: this.#past } });
+  }
+  /** @param {object} wanted */
+  #askCopy(wanted) {
+    this.worker?.postMessage(wanted);
+    return new Promise((resolve, reject) => (this.waiting = { resolve, reject }));
   }
   /** @param {string | undefined} text undefined: the end of input */
   answer(text) {
@@ -160,7 +181,7 @@ export class Machine {
 
 const kStopWithinMs = 300;
 const kKilled = 137; // as of a process that was killed
-const kMostText = 1 << 28; // a recording may be long
+const kMostText = 1 << 24;
 /** @param {unknown} value */
 const textOf = (value) => String(value).slice(0, kMostText);
 /** @param {string} file */

@@ -32,7 +32,7 @@ export class Module {
   text() {
     return decoder.decode(this.bytes());
   }
-  /** The same as bytes, in memory of their own. */
+  /** A copy of the bytes that the last call has left. */
   bytes() {
     const place = this.exports.xr3_text();
     return this.#bytes.slice(place, place + this.exports.xr3_text_size());
@@ -54,7 +54,7 @@ export class Module {
   }
 }
 
-/** What the module may import; any other function fails when it is called. @param {WebAssembly.Module} module */
+/** The functions that the module imports. One that the page does not have throws when it is called. @param {WebAssembly.Module} module */
 function importsOf(module) {
   const known = /** @type {Record<string, (...args: number[]) => number>} */ ({
     emscripten_notify_memory_growth: () => 0,

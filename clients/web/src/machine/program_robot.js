@@ -1,5 +1,6 @@
 // @ts-check
-// What a Python program in the page calls (python/xr3_page/__init__.py describes it): connections, and time.
+// The functions that the package xr3_page calls for a Python program in the page: connections, and time. Their list is in
+// python/xr3_page/__init__.py.
 import { MonitorLine, RobotLine } from "./program_lines.js";
 import { Stopped } from "./program_time.js";
 

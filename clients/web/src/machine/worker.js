@@ -10,8 +10,8 @@
 //   {output}     {stream, text} of the program; {asks} what it asks the user
 //   {beat}       a number that the page sends back
 //   {ended}      the exit code of the program, and whether each goal is met
-//   {saved}      the recording, to its end now
-//   {report}     of `xr3 exec`, as if the run ended now
+//   {copied}     {value} of {judge}, the report of `xr3 exec` as if the run ended now, or of {save}, the recording to its end now;
+//                or {error}
 //   {failed}     why there is no robot (any more); {refused} why the program does not run
 import { Module } from "./module.js";
 import { ProgramRobot } from "./program_robot.js";
@@ -23,9 +23,10 @@ import { Robot } from "./robot.js";
 
 const kFrameMs = 16;
 const kRestMs = 100; // between two looks while nothing moves
+const kLoadMs = 60_000;
 
 const post = self.postMessage.bind(self);
-/** @type {() => Robot} */
+/** @type {(now: () => number) => Robot} */
 let makeRobot;
 /** @type {Robot} */
 let robot;
@@ -51,8 +52,8 @@ let goOn = null;
  */
 async function begin(parts) {
   const module = await Module.load(parts.module);
-  makeRobot = () => new Robot(module, parts.setup, () => performance.now());
-  robot = makeRobot();
+  makeRobot = (now) => new Robot(module, parts.setup, now);
+  robot = makeRobot(() => performance.now());
   if (parts.past) robot.repeat(parts.past);
   folder = parts.python;
   page = robot.addMonitor();
@@ -62,7 +63,7 @@ async function begin(parts) {
 /** Another robot, as at the start; the page is greeted again. */
 function anew() {
   robot.destroy();
-  robot = makeRobot();
+  robot = makeRobot(() => performance.now());
   page = robot.addMonitor();
   post({ anew: true });
   turn();
@@ -94,7 +95,9 @@ function request(text) {
 function loadPython() {
   if (python) return python;
   post({ python: "loading" });
-  python = Python.load(folder, (stream, text) => post({ output: { stream, text } }));
+  const loading = Python.load(folder, (stream, text) => post({ output: { stream, text } }));
+  const late = new Promise((_, reject) => setTimeout(() => reject(new Error("Python could not be loaded within a minute: is the network slow or gone?")), kLoadMs));
+  python = Promise.race([loading, late]);
   return python;
 }
 
@@ -109,8 +112,7 @@ async function run(program) {
     serve();
     post({ ended: { code, goals: robot.goals() } });
   } catch (failure) {
-    python = null;
-    post({ refused: String(/** @type {Error} */ (failure).message ?? failure) });
+    post({ refused: reasonOf(failure) });
   } finally {
     time = null;
   }
@@ -150,24 +152,32 @@ function answered(text) {
   answer = null;
 }
 
-/** Judges a copy of the robot, which comes to rest; this one goes on. @param {{setup: object, past: {recording: string, tick: number}, why: string}} end */
-function judge({ setup, past, why }) {
-  const copy = new Robot(robot.module, setup, () => 0);
-  copy.repeat(past);
-  post({ report: copy.finish(why) });
-  copy.destroy();
+/**
+ * Sends what `work` makes of a copy of the robot; the robot itself goes on.
+ * @param {{recording: string, tick: number}} past @param {(copy: Robot) => any} work
+ */
+function useCopy(past, work) {
+  const copy = makeRobot(() => 0);
+  try {
+    copy.repeat(past);
+    post({ copied: { value: work(copy) } });
+  } catch (failure) {
+    post({ copied: { error: reasonOf(failure) } });
+  } finally {
+    copy.destroy();
+  }
 }
 
-/** Ends the recording of a copy of the robot. @param {{setup: object, past: {recording: string, tick: number}}} parts */
-function save({ setup, past }) {
-  const copy = new Robot(robot.module, setup, () => 0);
-  copy.repeat(past);
+/** The whole recording, with its end. @param {Robot} copy */
+function endedRecording(copy) {
   copy.endRecording();
-  post({ saved: copy.takeRecording() });
-  copy.destroy();
+  return copy.takeRecording();
 }
 
 // --- Messages of the page.
+
+/** An exception of the module has no message. @param {any} failure @returns {string} */
+const reasonOf = (failure) => failure?.message ?? "a part of the robot has failed: reload the page";
 
 /** @param {() => any} work */
 async function guarded(work) {
@@ -175,7 +185,7 @@ async function guarded(work) {
     await work();
   } catch (failure) {
     clearTimeout(timer);
-    post({ failed: String(/** @type {Error} */ (failure).message ?? failure) });
+    post({ failed: reasonOf(failure) });
   }
 }
 
@@ -187,8 +197,8 @@ async function take(data) {
   if (data.stop) return stop();
   if (data.anew) return anew();
   if (data.beat) return goesOn(data.beat);
-  if (data.judge) return judge(data.judge);
-  if (data.save) return save(data.save);
+  if (data.judge) return useCopy(data.judge.past, (copy) => copy.finish(data.judge.why));
+  if (data.save) return useCopy(data.save.past, endedRecording);
   if ("answer" in data) return answered(data.answer);
   return request(data.request);
 }
