@@ -10,7 +10,7 @@ namespace xr3 {
 
 using Sha256 = std::array<std::uint8_t, 32>;
 
-/// The digest of the text. Some 5 ns a byte.
+/// The digest of the text. A byte takes less than 10 ns.
 Sha256 sha256_bytes(std::string_view text);
 
 }  // namespace xr3

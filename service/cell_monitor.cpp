@@ -55,6 +55,8 @@ struct CellMonitor::Dispatch {
     subscribe(watched(), at.client_, id(), wanted);
   }
   void operator()(const monitor::Unsubscribe& wanted) const {
+    if (wanted.channel == monitor::Channel::kOverview)
+      return refuse(no_server("the channel overview"));
     unsubscribe(cell().name(), at.client_, id(), wanted);
   }
   void operator()(const monitor::Get& wanted) const {

@@ -79,6 +79,7 @@ TEST_F(CellMonitorTest, WithoutAHistoryThereIsNoPast) {
 TEST_F(CellMonitorTest, WhatNeedsAServerIsRefused) {
   for (const char* request : {
            R"({"op":"sub","channel":"overview"})",
+           R"({"op":"unsub","channel":"overview"})",
            R"({"op":"get","channel":"overview"})",
            R"({"op":"call","id":1,"fn":"peer_release"})",
            R"({"op":"call","id":1,"fn":"branch","args":{"tick":0}})",
