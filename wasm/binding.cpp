@@ -111,7 +111,7 @@ XR3_EXPORT std::size_t xr3_send(PageRobot* robot, unsigned line, const char* byt
   return robot->send(line, {bytes, size});
 }
 /// -1: the line is closed.
-XR3_EXPORT int xr3_waiting(const PageRobot* robot, unsigned line) {
+XR3_EXPORT int xr3_waiting(PageRobot* robot, unsigned line) {
   const auto bytes = robot->waiting(line);
   return bytes ? static_cast<int>(*bytes) : -1;
 }
@@ -120,6 +120,7 @@ XR3_EXPORT std::size_t xr3_receive(PageRobot* robot, unsigned line, std::size_t 
   last_text = robot->receive(line, most);
   return last_text.size();
 }
+XR3_EXPORT void xr3_end_input(PageRobot* robot, unsigned line) { robot->end_input(line); }
 XR3_EXPORT void xr3_close_line(PageRobot* robot, unsigned line) { robot->close_line(line); }
 
 // --- The past of another worker.

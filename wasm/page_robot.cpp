@@ -74,10 +74,28 @@ LineId PageRobot::open_line() {
 
 std::size_t PageRobot::send(LineId line, std::string_view bytes) {
   if (cell_->find_line(line) == nullptr) return 0;
-  return cell_->apply(BytesIn{line, bytes}, wall_).bytes_taken;
+  const std::size_t taken = cell_->apply(BytesIn{line, bytes}, wall_).bytes_taken;
+  close_if_over(line);
+  return taken;
 }
 
-std::optional<std::size_t> PageRobot::waiting(LineId line) const {
+/// Closes the line for the reasons for which a server closes one, after its replies are received.
+void PageRobot::close_if_over(LineId line) {
+  const SerialLine* open = cell_->find_line(line);
+  if (open == nullptr) return;
+  if (open->is_not_a_robot_program()) {
+    cell_->apply(LineClosed{line, LineCloseReason::kNotARobotProgram}, wall_);
+    return;
+  }
+  const bool is_cut = open->is_cut();
+  if (is_cut && !open->has_input_ended()) cell_->apply(InputEnded{line}, wall_);
+  if (!open->has_input_ended() || !open->outbox().empty() || !open->is_drained()) return;
+  cell_->apply(LineClosed{line, is_cut ? LineCloseReason::kFault : LineCloseReason::kClientClosed},
+               wall_);
+}
+
+std::optional<std::size_t> PageRobot::waiting(LineId line) {
+  close_if_over(line);
   const SerialLine* open = cell_->find_line(line);
   if (open == nullptr) return std::nullopt;
   return open->outbox().size();
@@ -91,9 +109,15 @@ std::string PageRobot::receive(LineId line, std::size_t most) {
   return bytes;
 }
 
-void PageRobot::close_line(LineId line) {
-  if (cell_->find_line(line) == nullptr) return;
+void PageRobot::end_input(LineId line) {
+  const SerialLine* open = cell_->find_line(line);
+  if (open == nullptr || open->has_input_ended()) return;
   cell_->apply(InputEnded{line}, wall_);
+  close_if_over(line);
+}
+
+void PageRobot::close_line(LineId line) {
+  end_input(line);
   if (cell_->find_line(line) == nullptr) return;
   cell_->apply(LineClosed{line, LineCloseReason::kClientClosed}, wall_);
 }

@@ -58,9 +58,11 @@ class PageRobot {
   /// Returns the number of bytes that the line has taken; 0 if it is closed.
   std::size_t send(LineId line, std::string_view bytes);
   /// The number of bytes that can be received; nullopt if the line is closed.
-  std::optional<std::size_t> waiting(LineId line) const;
+  std::optional<std::size_t> waiting(LineId line);
   /// At most so many bytes.
   std::string receive(LineId line, std::size_t most);
+  /// The client sends no more bytes: the line closes when all replies have been received.
+  void end_input(LineId line);
   /// No effect if it is closed.
   void close_line(LineId line);
 
@@ -86,6 +88,7 @@ class PageRobot {
   RunReport finish(std::string failure);
 
  private:
+  void close_if_over(LineId line);
   void record(const recording::Entry& entry) { recording_ += writer_.line(entry); }
 
   PageSetup setup_;

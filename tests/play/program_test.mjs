@@ -102,6 +102,13 @@ test("a traceback leads to its line; the next run begins anew; input() asks; the
   assert.deepEqual(timed, { state: "Ended", output: "True\nTrue" });
 }));
 
+test("a line ends as on a server: after the last reply, when a program sends no more, or by a fault", () => withProgram(
+  { faults: '{"faults":[{"name":"cut","kind":"line_disconnected","after_bytes":4}]}' }, async (page, { run }) => {
+    const { output } = await run("import socket\ns = socket.create_connection(('robot', 9600))\ns.sendall(b'E?')\ns.shutdown(socket.SHUT_WR)\nprint(s.makefile('rb').read())\n"
+      + "s = socket.create_connection(('robot', 9600))\ns.sendall(b'E?E?E?')\nprint(s.makefile('rb').read())");
+    assert.match(output, /^b' '\nb' +'$/);
+  }));
+
 test("while a program runs the page is heard: pause, jog; a program that asks is stopped at once", () => withProgram({}, async (page, { start, end }) => {
   await start("import time\nprint('begun', flush=True)\nfor i in range(10000):\n    time.sleep(0.1)");
   await printed(page, "begun");

@@ -80,6 +80,33 @@ TEST(PageRobotTest, ALineCloses) {
   robot.close_line(line);
 }
 
+TEST(PageRobotTest, ALineWhoseInputHasEndedClosesAfterItsReplies) {
+  PageRobot robot(rhino_setup());
+  const LineId line = robot.open_line();
+  robot.send(line, "E?");
+  robot.end_input(line);
+  EXPECT_EQ(robot.waiting(line), 1U);
+  EXPECT_EQ(robot.receive(line, 10), " ");
+  EXPECT_EQ(robot.waiting(line), std::nullopt);
+}
+
+TEST(PageRobotTest, AFaultCutsALine) {
+  PageRobot robot(rhino_setup(
+      {{"faults", R"({"faults":[{"name":"cut","kind":"line_disconnected","at_tick":50}]})"}}));
+  const LineId line = robot.open_line();
+  EXPECT_EQ(ask(robot, line, "E?"), " ");
+  robot.pass(100);
+  EXPECT_EQ(robot.waiting(line), std::nullopt);
+}
+
+TEST(PageRobotTest, AWebBrowserIsNoRobotProgram) {
+  PageRobot robot(rhino_setup());
+  const LineId line = robot.open_line();
+  robot.send(line, "GET / HTTP/1.1\r\nHost: x\r\n\r\n");
+  while (robot.waiting(line)) robot.receive(line, 1000);
+  EXPECT_TRUE(robot.cell().lines().empty());
+}
+
 TEST(PageRobotTest, HasAMonitorForThePageAndOneForAProgram) {
   PageRobot robot(rhino_setup());
   for (std::size_t number : {0U, 1U}) {

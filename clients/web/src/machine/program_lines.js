@@ -49,6 +49,10 @@ export class RobotLine {
   read(size, peek) {
     return this.#arrived.read(size, peek);
   }
+  /** Ends sending. */
+  finish() {
+    this.robot.endInput(this.line);
+  }
   close() {
     this.robot.closeLine(this.line);
   }
@@ -89,6 +93,11 @@ export class MonitorLine {
   /** @param {number} size @param {boolean} peek */
   read(size, peek) {
     return this.#arrived.read(size, peek);
+  }
+  /** Ends sending: the monitor answers nothing more. */
+  finish() {
+    this.#take();
+    this.isClosed = true;
   }
   close() {
     this.isClosed = true;

@@ -70,9 +70,10 @@ export class ProgramRobot {
     this.time.touch();
     return this.time.after(this.#line(number).waiting());
   }
-  /** @param {number} _number */
-  finish(_number) {
-    // Nothing: a line to the robot has no half-closed state that a program could notice.
+  /** @param {number} number */
+  finish(number) {
+    this.time.touch();
+    this.#line(number).finish();
   }
   /** @param {number} number */
   close(number) {

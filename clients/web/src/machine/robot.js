@@ -98,12 +98,16 @@ export class Robot {
   }
   /** The number of bytes that can be received; -1 if the line is closed. @param {number} line */
   waiting(line) {
-    return this.#ask("xr3_waiting", line);
+    return this.#call("xr3_waiting", line);
   }
   /** @param {number} line @param {number} most */
   receive(line, most) {
     this.#ask("xr3_receive", line, most);
     return this.module.bytes();
+  }
+  /** The line closes when its replies have been received. @param {number} line */
+  endInput(line) {
+    this.#call("xr3_end_input", line);
   }
   /** @param {number} line */
   closeLine(line) {
