@@ -4,6 +4,7 @@
 /** @typedef {import("./robot.js").Robot} Robot */
 
 const kMostWaiting = 1 << 20;
+const kMostReceived = 1 << 16; // of replies that the program has not read
 
 /** Bytes that have arrived and were not read. */
 class Arrived {
@@ -33,17 +34,24 @@ export class RobotLine {
     this.line = robot.openLine();
   }
   get isClosed() {
-    return this.robot.waiting(this.line) < 0;
+    return this.#take() < 0;
   }
-  /** The number of bytes taken. @param {Uint8Array} bytes */
+  /** The number of bytes taken; those after the end of a line that was cut are lost. @param {Uint8Array} bytes */
   send(bytes) {
-    return this.robot.send(this.line, bytes);
+    const taken = this.robot.send(this.line, bytes);
+    return taken > 0 && this.isClosed ? bytes.length : taken;
   }
   /** The number of bytes that can be read now; -1 at the end. */
   waiting() {
+    const more = this.#take();
+    return this.#arrived.bytes.length || Math.min(more, 0);
+  }
+  // As the system's buffer does, also while the program only sends.
+  #take() {
     const more = this.robot.waiting(this.line);
-    if (more > 0) this.#arrived.add(this.robot.receive(this.line, more));
-    return this.#arrived.bytes.length || (more < 0 ? -1 : 0);
+    if (more <= 0 || this.#arrived.bytes.length > kMostReceived) return more;
+    this.#arrived.add(this.robot.receive(this.line, more));
+    return this.robot.waiting(this.line);
   }
   /** @param {number} size @param {boolean} peek */
   read(size, peek) {
