@@ -65,6 +65,7 @@ XR3_EXPORT void xr3_catch_up(PageRobot* robot) { robot->catch_up(); }
 XR3_EXPORT void xr3_pass(PageRobot* robot, double ticks) {
   robot->pass(static_cast<xr3::Tick>(ticks));
 }
+XR3_EXPORT void xr3_pause(PageRobot* robot) { robot->pause(); }
 XR3_EXPORT double xr3_tick(const PageRobot* robot) {
   return static_cast<double>(robot->cell().state().tick);
 }
@@ -123,7 +124,7 @@ XR3_EXPORT std::size_t xr3_receive(PageRobot* robot, unsigned line, std::size_t 
 XR3_EXPORT void xr3_end_input(PageRobot* robot, unsigned line) { robot->end_input(line); }
 XR3_EXPORT void xr3_close_line(PageRobot* robot, unsigned line) { robot->close_line(line); }
 
-// --- The past of another worker.
+// --- The past.
 
 /// Returns 0 if the recording is not that of such a robot; this one is then of no use any more.
 XR3_EXPORT int xr3_repeat(PageRobot* robot, const char* recording, std::size_t size) {

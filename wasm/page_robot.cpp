@@ -7,6 +7,7 @@
 #include "cell/digest.hpp"
 #include "cell/judge/passive.hpp"
 #include "cell/recording/replayer.hpp"
+#include "cell/recording/state_hash.hpp"
 #include "protocol/goals/credit.hpp"
 #include "protocol/goals/judge.hpp"
 #include "protocol/recording/reader.hpp"
@@ -18,19 +19,9 @@ namespace {
 constexpr Tick kHistory = 3600 * kTickHz;
 constexpr std::size_t kHistoryBytes = std::size_t{32} * 1024 * 1024;
 
-SimClock start_clock(ClockMode mode) {
-  switch (mode) {
-    case ClockMode::kReal: break;
-    case ClockMode::kManual: return SimClock::manual();
-    case ClockMode::kBytes: return SimClock::bytes();
-  }
-  return SimClock::real(Rate{}, 0);
-}
-
-std::shared_ptr<Cell> make_cell(const PageSetup& setup) {
-  auto cell = std::make_shared<Cell>("main", setup.model, start_clock(setup.clock));
-  if (setup.clock == ClockMode::kBytes) cell->set_byte_clock(ByteClockSettings{});
-  if (setup.faults) cell->set_faults(*setup.faults);
+std::shared_ptr<Cell> make_cell(const recording::Header& header) {
+  auto cell = std::make_shared<Cell>(header.cell, header.model, replay_clock(header));
+  prepare_replay(*cell, header);
   return cell;
 }
 
@@ -38,7 +29,7 @@ std::shared_ptr<Cell> make_cell(const PageSetup& setup) {
 
 PageRobot::PageRobot(PageSetup setup)
     : setup_(std::move(setup)),
-      cell_(make_cell(setup_)),
+      cell_(make_cell(setup_.header)),
       memory_(kHistoryBytes),
       recording_(writer_.line(recording_header(*cell_, setup_.product))),
       recorder_([this](const recording::Entry& entry) { record(entry); }),
@@ -56,6 +47,11 @@ void PageRobot::pass(Tick ticks) {
   if (clock.mode() != ClockMode::kReal) return;
   set_wall(clock.when(cell_->state().tick + ticks));
   catch_up();
+}
+
+void PageRobot::pause() {
+  if (cell_->clock().mode() == ClockMode::kReal)
+    cell_->apply(Input{call::Call{call::Pause{}}}, wall_);
 }
 
 // --- Monitors.
@@ -122,19 +118,21 @@ void PageRobot::close_line(LineId line) {
   cell_->apply(LineClosed{line, LineCloseReason::kClientClosed}, wall_);
 }
 
-// --- The past of another worker.
+// --- The past.
 
 void PageRobot::repeat(std::string_view recording) {
   recording::RecordingReader reader("recording");
   reader.add(recording);
-  if (!reader.header()) throw std::runtime_error("the recording has no first line");
+  const auto header = reader.header();
+  if (!header) throw std::runtime_error("recording: it has no first line");
   cell_->begin_replay();
   {
-    Replayer replayer(*cell_, Compared::kReplies);
+    Replayer replayer(*cell_, header->state_format == kStateFormat ? Compared::kAll
+                                                                   : Compared::kReplies);
     while (const auto entry = reader.next())
       if (const auto difference = replayer.apply(*entry))
-        throw std::runtime_error("the robot does not repeat its recording: " +
-                                 to_text(*difference));
+        throw std::runtime_error("recording:" + std::to_string(reader.line()) +
+                                 ": this version does otherwise: " + to_text(*difference));
   }
   reader.end();
   cell_->end_replay(wall_);
@@ -158,7 +156,7 @@ std::vector<bool> PageRobot::goals_now() const {
 }
 
 RunReport PageRobot::finish(std::string failure) {
-  cell_->apply(Input{call::Call{call::Pause{}}}, wall_);
+  pause();
   cell_->apply(Input{call::Call{call::RunUntil{std::nullopt, kRestLimit}}}, wall_);
   end_recording();
   const RunFacts facts = observer_.facts();
@@ -171,7 +169,7 @@ RunReport PageRobot::finish(std::string failure) {
     report.transcript = transcript_digest(transcript->summary(), cell_->model(), cell_->state(),
                                           cell_->clock_remainder());
   report.goals = judge(setup_.goals, cell_->model(), cell_->state(), facts);
-  const std::vector<bool> passive = passive_goals(setup_.goals, setup_.model, setup_.faults);
+  const std::vector<bool> passive = passive_goals(setup_.goals, setup_.header.model, setup_.header.faults);
   report.not_counted = withhold(report.goals, setup_.goals, passive, report.outcome, facts);
   return report;
 }

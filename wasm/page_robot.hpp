@@ -44,6 +44,8 @@ class PageRobot {
   /// Lets this many ticks pass, however long they take by the wall clock, which goes on with them.
   /// No effect while time stands still, or with the byte clock.
   void pass(Tick ticks);
+  /// Stops time. No effect if it does not follow the wall clock.
+  void pause();
 
   // --- Monitors.
 
@@ -66,12 +68,11 @@ class PageRobot {
   /// No effect if it is closed.
   void close_line(LineId line);
 
-  // --- The past of another worker.
+  // --- The past.
 
-  /// Repeats the recording of a robot with the same setup, whose worker was ended: this robot is
-  /// then where that one was, except that its lines are closed. Throws DataError if the text is no
-  /// recording, and std::runtime_error if the robot does not do the same. Precondition: nothing has
-  /// happened.
+  /// Repeats the recording of a robot with this setup: this robot is then where that one was at its
+  /// end, except that its lines are closed. Throws DataError if the text is no recording, and
+  /// std::runtime_error if the robot does not do the same. Precondition: nothing has happened.
   void repeat(std::string_view recording);
 
   // --- Results.

@@ -8,6 +8,7 @@
 #include "protocol/files/faults.hpp"
 #include "protocol/files/paper_form/paper_form.hpp"
 #include "protocol/goals/file.hpp"
+#include "protocol/recording/reader.hpp"
 
 namespace xr3 {
 namespace {
@@ -33,19 +34,39 @@ Workcell workcell_for(const Robot& robot, const std::string& text) {
   return text.empty() ? empty_table(Reach(robot)) : load_workcell_of_either_form(text, "workcell");
 }
 
-PageSetup setup_of(const Json& object) {
+recording::Header header_of_files(const Json& object) {
   const Robot robot = load_robot_of_either_form(object.at("robot").get<std::string>(), "robot");
   const Workcell workcell = workcell_for(robot, text_of(object, "workcell"));
+  recording::Header header;
+  header.cell = "main";
+  header.mode = clock_of(text_of(object, "clock"));
+  if (header.mode == ClockMode::kBytes) header.byte_clock = ByteClockSettings{};
+  header.model =
+      std::make_shared<const Model>(robot, workcell, profile_of(text_of(object, "compat")));
+  if (const std::string text = text_of(object, "faults"); !text.empty())
+    header.faults = load_faults(text, "faults", header.model->labels());
+  return header;
+}
+
+recording::Header header_of_recording(const std::string& text) {
+  recording::RecordingReader reader("recording");
+  reader.add(text);
+  const auto header = reader.header();
+  if (!header) throw std::invalid_argument("recording: it has no first line");
+  if (header->device)
+    throw std::invalid_argument("recording: it is of a robot with a physical controller at " +
+                                header->device->path +
+                                ", which a page has not; `xr3 replay` repeats it");
+  return *header;
+}
+
+PageSetup setup_of(const Json& object) {
   PageSetup setup;
   setup.product = text_of(object, "product");
-  setup.clock = clock_of(text_of(object, "clock"));
-  setup.model =
-      std::make_shared<const Model>(robot, workcell, profile_of(text_of(object, "compat")));
-  const Model& model = *setup.model;
-  if (const std::string text = text_of(object, "faults"); !text.empty())
-    setup.faults = load_faults(text, "faults", model.labels());
+  const std::string recorded = text_of(object, "recording");
+  setup.header = recorded.empty() ? header_of_files(object) : header_of_recording(recorded);
   if (const std::string text = text_of(object, "goals"); !text.empty())
-    setup.goals = load_goals(text, "goals", model);
+    setup.goals = load_goals(text, "goals", *setup.header.model);
   return setup;
 }
 

@@ -1,31 +1,27 @@
-// What a robot in a page is made of: the contents of its files, as one JSON object.
+// The setup of a robot in a page, as one JSON object with the contents of its files.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
 
-#include "cell/byte_clock.hpp"
-#include "core/faults/fault.hpp"
-#include "core/model.hpp"
-#include "core/sim_clock.hpp"
 #include "protocol/goals/goal.hpp"
+#include "protocol/recording/header.hpp"
 
 namespace xr3 {
 
 struct PageSetup {
-  std::string product;  ///< name and version of the program, such as `xr3 0.7.0`
-  ModelPtr model;
-  std::optional<FaultPlan> faults;
+  std::string product;       ///< name and version of the program, such as `xr3 0.7.0`
+  recording::Header header;  ///< of the robot's recording, without the product
   GoalList goals;
-  ClockMode clock = ClockMode::kReal;
 };
 
 /// Reads an object with the members `product`, `robot`, `workcell`?, `faults`?, `goals`?, `clock`?
 /// ("real", "manual" or "bytes"; default "real") and `compat`? ("paper" or "mark3"; default
 /// "paper"). The second to the fifth are contents of files, robot and workcell in either form;
-/// without a workcell the table is empty. Throws DataError with all findings in a file, each of
-/// which names the file by the member, and std::invalid_argument if the object itself is wrong.
+/// without a workcell the table is empty. Instead of all but `product` and `goals` it may have
+/// `recording`, a recording or the first line of one, of a robot without a physical controller.
+/// Throws DataError with all findings in a file, each of which names the file by the member, and
+/// std::invalid_argument if the object itself is wrong.
 PageSetup read_setup(std::string_view json);
 
 }  // namespace xr3

@@ -1,6 +1,8 @@
 // The page without a server: the same panels, with the robot in the page.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
+import { execFileSync } from "node:child_process";
+import { copyFileSync, mkdirSync } from "node:fs";
 import { readFile } from "node:fs/promises";
 import { fragmentOf, sharedIn } from "../../clients/web/src/machine/share.js";
 import { join } from "node:path";
@@ -93,6 +95,45 @@ test("a link has the robot, its workcell, faults and clock", async () => {
     assert.equal(await page.evaluate(() => window.xr3.known.state.clock.mode), "bytes");
     assert.ok((await page.evaluate(() => window.xr3.call("fault_list"))).faults.length > 0);
   });
+});
+
+/** Gives the page's open button a file. */
+async function openRecording(page, name) {
+  const [chooser] = await Promise.all([page.waitForEvent("filechooser"), page.click("#more-button").then(() => page.click("#open-recording"))]);
+  await chooser.setFiles(name);
+}
+
+test("a recording of a server opens at its end, with what was before, and goes on", { skip: !process.env.XR3 }, () => withRobot(url, async (page) => {
+  const recording = `${root}docs/find-and-pick.xr3rec`;
+  await openRecording(page, recording);
+  await page.waitForFunction(() => /find-and-pick.xr3rec: the robot is where/.test(document.querySelector("#message").textContent));
+  const state = JSON.parse(execFileSync(process.env.XR3, ["replay", recording, "--print", "state"], { stdio: ["ignore", "pipe", "ignore"] }));
+  const shown = await page.evaluate(() => window.xr3.known.state);
+  for (const member of ["tick", "joints", "tool", "blocks"]) assert.deepEqual(shown[member], state[member], member);
+  assert.equal(shown.clock.mode, "manual");
+  const { tick } = await page.evaluate(() => window.xr3.call("seek", { tick: 15_000 }));
+  assert.equal(tick, 15_000);
+  await page.click("#more-button");
+  await page.click("#copy-link");
+  await page.waitForFunction(() => /This robot is of a recording/.test(document.querySelector("#message").textContent));
+}));
+
+test("a file that is no recording is refused with the reason, and the robot stays", () => withRobot(url, async (page) => {
+  await page.evaluate(() => window.xr3.call("block_move", { name: "red", xyz_mm: [300, 50, 20] }));
+  await openRecording(page, `${root}README.md`);
+  await page.waitForFunction(() => /recording:1: found another first line/.test(document.querySelector("#message").textContent));
+  assert.equal(await page.evaluate(() => window.xr3.known.model.workcell.blocks[0].centroid[0]), 300);
+  await command(page, "F+10");
+  await showsCount(page, "F", 10);
+}));
+
+test("a link may name a recording of the folder", () => {
+  mkdirSync(join(folder, "data/recordings"), { recursive: true });
+  copyFileSync(`${root}docs/find-and-pick.xr3rec`, join(folder, "data/recordings/find-and-pick.xr3rec"));
+  return fragmentOf({ recording: "data/recordings/find-and-pick.xr3rec" }).then((fragment) => withRobot(url + fragment, async (page) => {
+    await page.waitForFunction(() => /the robot is where the recording ends/.test(document.querySelector("#message").textContent));
+    assert.ok(await page.evaluate(() => window.xr3.known.state.tick) > 10_000);
+  }));
 });
 
 test("after one visit the page works without network, and only its own files come from what was kept", async () => {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -15,12 +16,13 @@ namespace {
 
 constexpr WallNs kMs = 1'000'000;
 
-std::string data(const std::string& path) {
-  std::ifstream file(XR3_SOURCE_DIR "/data/" + path);
+std::string contents(const std::string& path) {
+  std::ifstream file(XR3_SOURCE_DIR "/" + path);
   std::ostringstream text;
   text << file.rdbuf();
   return text.str();
 }
+std::string data(const std::string& path) { return contents("data/" + path); }
 
 /// The Rhino with its workcell, and further members of the setup.
 PageSetup rhino_setup(const Json& more = Json::object()) {
@@ -154,6 +156,59 @@ TEST(PageRobotTest, RepeatsTheRecordingOfAnotherOne) {
   EXPECT_THROW(third.repeat("x"), std::exception);
 }
 
+/// The setup of the robot of a recording.
+PageSetup setup_of(const std::string& recording) {
+  return read_setup(Json{{"product", "xr3 test"},
+                         {"recording", recording.substr(0, recording.find('\n') + 1)}}
+                        .dump());
+}
+
+TEST(PageRobotTest, OpensARecordingAndGoesOn) {
+  const std::string recording = contents("docs/find-and-pick.xr3rec");
+  PageRobot robot(setup_of(recording));
+  robot.repeat(recording);
+  EXPECT_EQ(robot.cell().state(), test::replay(recording).state);
+  const Tick end = robot.cell().state().tick;
+  EXPECT_GT(end, 10'000);
+  ask(robot, robot.open_line(), "F+9\r");
+  robot.finish("");
+  EXPECT_GT(robot.cell().state().tick, end);
+  const test::Replayed again = test::replay(robot.take_recording());
+  EXPECT_EQ(again.difference ? to_text(*again.difference) : "", "");
+  EXPECT_EQ(again.state, robot.cell().state());
+}
+
+TEST(PageRobotTest, OpensTheRecordingsOfAServer) {
+  const std::filesystem::path folder = XR3_SOURCE_DIR "/tests/data/recordings/0.1.0";
+  int opened = 0;
+  for (const auto& file : std::filesystem::directory_iterator(folder)) {
+    const std::string name = file.path().filename();
+    if (name.starts_with("device") || name.starts_with("behind")) continue;
+    const std::string recording = contents("tests/data/recordings/0.1.0/" + name);
+    PageRobot robot(setup_of(recording));
+    EXPECT_NO_THROW(robot.repeat(recording)) << file.path();
+    EXPECT_EQ(robot.cell().lines().size(), 0U) << file.path();
+    ++opened;
+  }
+  EXPECT_GT(opened, 30);
+}
+
+TEST(PageRobotTest, ARecordingThatCannotBeOpenedSaysWhy) {
+  const std::string device = contents("tests/data/recordings/0.1.0/device.xr3rec");
+  try {
+    setup_of(device);
+    FAIL() << "opened";
+  } catch (const std::invalid_argument& failure) {
+    EXPECT_NE(std::string(failure.what()).find("a physical controller at arm"), std::string::npos)
+        << failure.what();
+  }
+  EXPECT_THROW(setup_of("no recording\n"), DataError);
+  std::string recording = contents("docs/find-and-pick.xr3rec");
+  PageRobot robot(setup_of(recording));
+  recording[recording.size() / 2] ^= 1;
+  EXPECT_THROW(robot.repeat(recording), DataError);
+}
+
 TEST(PageRobotTest, JudgesTheGoals) {
   const std::string goals = R"({"goals":[{"kind":"joint","label":"F","count":9,"points":3},)"
                             R"({"kind":"holding","name":"red"}]})";
@@ -190,7 +245,7 @@ TEST(PageRobotTest, ABadSetupIsRefusedWithTheReason) {
 
 TEST(PageRobotTest, WithoutAWorkcellTheTableIsEmpty) {
   const PageSetup setup = rhino_setup({{"workcell", ""}});
-  EXPECT_TRUE(setup.model->workcell().blocks.empty());
+  EXPECT_TRUE(setup.header.model->workcell().blocks.empty());
 }
 
 }  // namespace

@@ -35,6 +35,7 @@ import { NoScene } from "./scene/no_scene.js";
 import { PaperView } from "./panels/paper_view.js";
 import { PastFrames } from "./rewind/past_frames.js";
 import { isSooner } from "./rewind/axis.js";
+import { connectOpenRecording } from "./machine/open_recording.js";
 import { connectCopyLink } from "./machine/copy_link.js";
 import { keepForOffline } from "./machine/offline_page.js";
 import { isHere, sharedHere } from "./lib/here.js";
@@ -176,7 +177,8 @@ const program = isHere ? new ProgramPanel({ machine, given: sharedHere().then(({
 if (isHere) keepForOffline((text, action) => messages.show(text, action));
 byId("save-recording").hidden = !isHere;
 byId("save-recording").onclick = () => machine.save().then((text) => download("robot.xr3rec", text, "application/octet-stream")).catch(showError);
-if (isHere) connectCopyLink({ getModel: () => connection.get("model"), getFirst: () => known.firstModel, getProgram: () => program.text, showMessage, onError: showError });
+if (isHere) connectOpenRecording({ machine, onOpened: showOpened, onError: showError });
+if (isHere) connectCopyLink({ getModel: () => connection.get("model"), getFirst: () => known.firstModel, isOpened: () => machine.isOpened, getProgram: () => program.text, showMessage, onError: showError });
 byId("stop-motors").onclick = () => mover.drive.stop().catch(showError);
 const drawer = new Drawer((panel) => {
   if (panel === "program-panel") program?.show();
@@ -349,6 +351,12 @@ function onLeave() {
   wire.setMoment(null);
 }
 
+/** The robot of a recording stands where it ends. @param {string} name of the file */
+function showOpened(name) {
+  if (byId("rewind").getAttribute("aria-expanded") !== "true") byId("rewind").click();
+  showMessage(`${name}: the robot is where the recording ends, and its time stands. The time bar has what was before.`);
+}
+
 function showPast(state) {
   for (const panel of [...views, digitalLines]) panel.setState(state);
   wire.setMoment(state);
@@ -461,6 +469,7 @@ onTheme((name) => {
 });
 for (const error of earlyRefusals) access.refused(error);
 takeHello(await firstHello);
+if (isHere) sharedHere().then(({ recording }) => recording && showOpened(recording)).catch(() => {}); // the page says that the link is damaged
 connection.follow("model", { max_hz: 2 });
 connection.follow("state", { max_hz: 30 });
 setInterval(showStatus, 1000);

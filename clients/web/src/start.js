@@ -3,7 +3,8 @@
 import { Connection } from "./lib/connection.js";
 import { showChip } from "./lib/chip.js";
 import { byId } from "./lib/dom.js";
-import { Machine, setupOf } from "./machine/machine.js";
+import { Machine } from "./machine/machine.js";
+import { beginningOf } from "./machine/setup.js";
 import { isHere, sharedHere } from "./lib/here.js";
 import { cellOfPath, pathOfCell } from "./lib/place.js";
 import { kept, takeFromAddress } from "./lib/token.js";
@@ -31,7 +32,7 @@ export const firstHello = new Promise((resolve) => (greet = resolve));
 /** @returns {any} */
 const toServer = () => new WebSocket(`ws://${location.host}/ws`, "xr3.v1");
 /** The robot of the page itself, which its address may name. */
-const toMachine = () => (machine = new Machine(async () => setupOf(await sharedHere()), showFailure));
+const toMachine = () => (machine = new Machine(async () => beginningOf(await sharedHere()), showFailure));
 /** The robot of the page; null if it is a server's. @type {Machine | null} */
 export let machine = null;
 

@@ -4,16 +4,18 @@ import { byId, copyText, isSame } from "../lib/dom.js";
 import { sharedHere } from "../lib/here.js";
 import { fragmentOf, kMaxLink } from "./share.js";
 
+const kOpened = "This robot is of a recording, which is too long for a link. Save the recording as a file instead.";
+
 /**
- * @param {{getModel: () => Promise<any>, getFirst: () => any, getProgram: () => string, showMessage: (text: string) => void, onError: (error: unknown) => void}} parts
- *   `getFirst`: the model with which the page began
+ * @param {{getModel: () => Promise<any>, getFirst: () => any, isOpened: () => boolean, getProgram: () => string, showMessage: (text: string) => void, onError: (error: unknown) => void}} parts
+ *   `getFirst`: the model with which the page began; `isOpened`: whether the robot is of a recording that is in no address
  */
-export function connectCopyLink({ getModel, getFirst, getProgram, showMessage, onError }) {
+export function connectCopyLink({ getModel, getFirst, isOpened, getProgram, showMessage, onError }) {
   const button = byId("copy-link");
   button.hidden = false;
   button.onclick = async () => {
     try {
-      showMessage(await copy(await getModel(), getFirst(), getProgram()));
+      showMessage(isOpened() ? kOpened : await copy(await getModel(), getFirst(), getProgram()));
     } catch (error) {
       onError(error);
     }
@@ -23,7 +25,7 @@ export function connectCopyLink({ getModel, getFirst, getProgram, showMessage, o
 /** Returns what happened. @param {{workcell: object}} model @param {{workcell: object}} first @param {string} program */
 async function copy({ workcell }, first, program) {
   const shared = { ...(await sharedHere()), program };
-  const now = isSame(workcell, first.workcell) ? shared : { ...shared, workcell: JSON.stringify(workcell) };
+  const now = shared.recording || isSame(workcell, first.workcell) ? shared : { ...shared, workcell: JSON.stringify(workcell) };
   const link = location.origin + location.pathname + (await fragmentOf(now));
   if (link.length > kMaxLink)
     return `A link to this would have ${link.length} characters, and some programs cut links beyond ${kMaxLink}. Save workcell and program as files instead.`;

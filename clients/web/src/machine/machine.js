@@ -2,35 +2,7 @@
 // The page's side of a robot without a server: starts the worker in which the robot lives, carries the messages of its monitor as a
 // WebSocket does (lib/connection.js), and runs programs.
 
-/** @typedef {import("./share.js").Shared} Shared */
-
-const kFolders = /** @type {Record<string, string>} */ ({ robot: "robots", workcell: "workcells", faults: "faults", goals: "goals" });
-const kUsual = "rhino-xr3";
-
-/**
- * The setup of a robot, as in wasm/setup.hpp: names of files become their contents. Rejects with an Error for the user.
- * @param {Shared} shared
- */
-export async function setupOf(shared) {
-  const robot = shared.robot ?? kUsual;
-  const workcell = shared.workcell ?? (isName(robot) ? robot : "");
-  const { program: _, ...files } = shared;
-  const setup = /** @type {Record<string, string>} */ ({ product: `xr3 ${XR3_VERSION}`, ...files, robot, workcell });
-  for (const [member, folder] of Object.entries(kFolders))
-    if (isName(setup[member])) setup[member] = await contentsOf(`data/${folder}/${setup[member]}.json`);
-  return setup;
-}
-
-/** Whether it is the name of a file of the page, not the contents of one. @param {string | undefined} text */
-const isName = (text) => /^[\w-]+$/.test(text ?? "");
-
-/** @param {string} path */
-async function contentsOf(path) {
-  const response = await fetch(path);
-  if (!response.ok) throw new Error(`This page has no file ${path} (${response.status} ${response.statusText}).`);
-  return response.text();
-}
-
+/** @typedef {import("./setup.js").Beginning} Beginning @typedef {import("./setup.js").Past} Past */
 /** @typedef {{files: Record<string, string>, name: string}} Program */
 /**
  * Called with the worker's messages about a program; worker.js describes them.
@@ -49,28 +21,30 @@ export class Machine {
   recording = "";
   tick = 0;
   isRunning = false; // a program
+  isOpened = false; // a recording, after the start
   /** @type {{resolve: (value: any) => void, reject: (error: Error) => void} | null} */
   waiting = null; // for the result of a copy
   /** @type {ProgramListener | null} */
   listener = null;
 
-  /** @param {() => Promise<object>} getSetup @param {(why: string) => void} onFailed there is no robot (any more) */
-  constructor(getSetup, onFailed) {
+  /** @param {() => Promise<Beginning>} getBeginning @param {(why: string) => void} onFailed there is no robot (any more) */
+  constructor(getBeginning, onFailed) {
     this.onFailed = onFailed;
-    this.#start(getSetup);
+    this.#start(getBeginning);
   }
 
-  /** @param {() => Promise<object>} getSetup */
-  async #start(getSetup) {
+  /** @param {() => Promise<Beginning>} getBeginning */
+  async #start(getBeginning) {
     try {
-      this.setup = await getSetup();
-      this.#startWorker(null);
+      const { setup, past } = await getBeginning();
+      this.setup = setup;
+      this.#startWorker(past);
     } catch (failure) {
       this.#fail(/** @type {Error} */ (failure).message);
     }
   }
 
-  /** @param {{recording: string, tick: number} | null} past */
+  /** @param {Past | null} past */
   #startWorker(past) {
     this.worker = startWorker();
     this.worker.onmessage = ({ data }) => this.#take(data);
@@ -163,6 +137,12 @@ export class Machine {
   /** The report of `xr3 exec` if the run ended now. @param {string} why why the program failed, or "" @returns {Promise<any>} */
   judge(why = "") {
     return this.#askCopy({ judge: { past: this.#past, why } });
+  }
+  /** Begins with the robot of a recording; rejects, and keeps the present one, if it cannot be repeated. Precondition: no program runs. @param {Beginning} beginning */
+  async open(beginning) {
+    await this.#askCopy({ open: beginning });
+    this.setup = beginning.setup;
+    this.isOpened = true;
   }
   /** The recording as a file, which ends now. @returns {Promise<string>} */
   save() {

@@ -58,17 +58,21 @@ export class Robot {
   }
   /** Lets ticks pass without waiting. @param {number} ticks */
   pass(ticks) {
-    this.#call("xr3_pass", ticks);
+    this.#ask("xr3_pass", ticks);
     this.ahead = this.#ask("xr3_wall") - (this.now() - this.begun);
+  }
+  pause() {
+    this.#ask("xr3_pause");
   }
   get isAtRest() {
     return this.#ask("xr3_is_at_rest") !== 0;
   }
 
-  /** Does what another robot with the same setup has done until a tick. @param {{recording: string, tick: number}} past */
-  repeat({ recording, tick }) {
+  /** Does what another robot with the same setup has done. @param {import("./setup.js").Past} past */
+  repeat({ recording, tick, stands }) {
     this.#require(this.module.with(recording, (place, size) => this.#ask("xr3_repeat", place, size)));
     this.pass(tick - this.tick);
+    if (stands) this.pause();
   }
 
   // --- The monitor.

@@ -4,12 +4,13 @@
 // form and its size; the robot checks the contents of the files.
 
 /**
- * `robot` and `workcell` are names of files that the page has, or their contents.
- * @typedef {{robot?: string, workcell?: string, faults?: string, goals?: string, clock?: string, compat?: string, program?: string}} Shared
+ * `robot` and `workcell` are names of files that the page has, or their contents; `recording` is the path of one, instead of a robot.
+ * @typedef {{robot?: string, workcell?: string, faults?: string, goals?: string, clock?: string, compat?: string, program?: string,
+ *   recording?: string}} Shared
  */
 
 const kName = "xr3";
-const kMembers = ["robot", "workcell", "faults", "goals", "clock", "compat", "program"];
+const kMembers = ["robot", "workcell", "faults", "goals", "clock", "compat", "program", "recording"];
 const kMaxBytes = 1 << 20; // of the JSON: a short link can be large when it is unpacked
 /** Longer links are cut by some programs. */
 export const kMaxLink = 8192;

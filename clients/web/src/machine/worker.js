@@ -1,7 +1,7 @@
 // @ts-check
 // The worker in which the robot of a page lives, and a program that moves it. The page sends {begin} first, and then
 // {request}, the text of a request to the monitor, {run} and {stop} for a program, {answer} to what a program asks, {judge} and
-// {save}, and {anew} for another robot like the first one.
+// {save}, {anew} for another robot like the first one, and {open} for that of a recording.
 // The worker sends
 //   {message}    the text of a message from the monitor
 //   {recording}  what the recording has got; {tick} the time
@@ -10,8 +10,8 @@
 //   {output}     {stream, text} of the program; {asks} what it asks the user
 //   {beat}       a number that the page sends back
 //   {ended}      the exit code of the program, and whether each goal is met
-//   {copied}     {value} of {judge}, the report of `xr3 exec` as if the run ended now, or of {save}, the recording to its end now;
-//                or {error}
+//   {copied}     {value} of {judge}, the report of `xr3 exec` as if the run ended now, of {save}, the recording to its end now, or of
+//                {open}; or {error}
 //   {failed}     why there is no robot (any more); {refused} why the program does not run
 import { Module } from "./module.js";
 import { ProgramRobot } from "./program_robot.js";
@@ -19,15 +19,16 @@ import { ProgramTime } from "./program_time.js";
 import { Python } from "./python.js";
 import { Robot } from "./robot.js";
 
-/** @typedef {{files: Record<string, string>, name: string}} Program */
+/** @typedef {{files: Record<string, string>, name: string}} Program @typedef {import("./setup.js").Past} Past */
 
 const kFrameMs = 16;
 const kRestMs = 100; // between two looks while nothing moves
 const kLoadMs = 60_000;
 
 const post = self.postMessage.bind(self);
-/** @type {(now: () => number) => Robot} */
-let makeRobot;
+/** @type {Module} */
+let module;
+let setup = {}; // of the robot
 /** @type {Robot} */
 let robot;
 let page = 0; // the monitor of the page
@@ -46,27 +47,43 @@ let beat = 0;
 /** @type {(() => void) | null} */
 let goOn = null;
 
-/**
- * @param {{module: string, python: string, setup: object, past: {recording: string, tick: number} | null}} parts
- *   `past`: of a robot whose worker was ended
- */
+const wall = () => performance.now();
+/** A robot of the setup. @param {() => number} now @param {Past | null} past it is repeated */
+function makeRobot(now, past, its = setup) {
+  const made = new Robot(module, its, now);
+  try {
+    if (past) made.repeat(past);
+    return made;
+  } catch (failure) {
+    made.destroy();
+    throw failure;
+  }
+}
+
+/** @param {{module: string, python: string, setup: object, past: Past | null}} parts */
 async function begin(parts) {
-  const module = await Module.load(parts.module);
-  makeRobot = (now) => new Robot(module, parts.setup, now);
-  robot = makeRobot(() => performance.now());
-  if (parts.past) robot.repeat(parts.past);
+  module = await Module.load(parts.module);
+  setup = parts.setup;
+  robot = makeRobot(wall, parts.past);
   folder = parts.python;
   page = robot.addMonitor();
   turn();
 }
 
-/** Another robot, as at the start; the page is greeted again. */
-function anew() {
+/** The page is greeted again. @param {Robot} other takes the place of the robot */
+function replaceRobot(other) {
   robot.destroy();
-  robot = makeRobot(() => performance.now());
+  robot = other;
   page = robot.addMonitor();
   post({ anew: true });
   turn();
+}
+
+/** @param {import("./setup.js").Beginning} beginning */
+function open(beginning) {
+  const other = makeRobot(wall, beginning.past, beginning.setup);
+  setup = beginning.setup;
+  replaceRobot(other);
 }
 
 /** Sends what there is to say. */
@@ -152,17 +169,20 @@ function answered(text) {
   answer = null;
 }
 
-/**
- * Sends what `work` makes of a copy of the robot; the robot itself goes on.
- * @param {{recording: string, tick: number}} past @param {(copy: Robot) => any} work
- */
-function useCopy(past, work) {
-  const copy = makeRobot(() => 0);
+/** Sends the result of `work`, or why there is none. @param {() => any} work */
+function answerPage(work) {
   try {
-    copy.repeat(past);
-    post({ copied: { value: work(copy) } });
+    post({ copied: { value: work() } });
   } catch (failure) {
     post({ copied: { error: reasonOf(failure) } });
+  }
+}
+
+/** Returns the result of `work` on a copy of the robot; the robot itself goes on. @param {Past} past @param {(copy: Robot) => any} work */
+function useCopy(past, work) {
+  const copy = makeRobot(() => 0, past);
+  try {
+    return work(copy);
   } finally {
     copy.destroy();
   }
@@ -195,10 +215,11 @@ async function take(data) {
   await begun; // what comes before there is a robot waits
   if (data.run) return run(data.run);
   if (data.stop) return stop();
-  if (data.anew) return anew();
+  if (data.anew) return replaceRobot(makeRobot(wall, null));
   if (data.beat) return goesOn(data.beat);
-  if (data.judge) return useCopy(data.judge.past, (copy) => copy.finish(data.judge.why));
-  if (data.save) return useCopy(data.save.past, endedRecording);
+  if (data.open) return answerPage(() => open(data.open));
+  if (data.judge) return answerPage(() => useCopy(data.judge.past, (copy) => copy.finish(data.judge.why)));
+  if (data.save) return answerPage(() => useCopy(data.save.past, endedRecording));
   if ("answer" in data) return answered(data.answer);
   return request(data.request);
 }
