@@ -127,8 +127,8 @@ void PageRobot::repeat(std::string_view recording) {
   if (!header) throw std::runtime_error("recording: it has no first line");
   cell_->begin_replay();
   {
-    Replayer replayer(*cell_, header->state_format == kStateFormat ? Compared::kAll
-                                                                   : Compared::kReplies);
+    Replayer replayer(*cell_,
+                      header->state_format == kStateFormat ? Compared::kAll : Compared::kReplies);
     while (const auto entry = reader.next())
       if (const auto difference = replayer.apply(*entry))
         throw std::runtime_error("recording:" + std::to_string(reader.line()) +
@@ -169,7 +169,8 @@ RunReport PageRobot::finish(std::string failure) {
     report.transcript = transcript_digest(transcript->summary(), cell_->model(), cell_->state(),
                                           cell_->clock_remainder());
   report.goals = judge(setup_.goals, cell_->model(), cell_->state(), facts);
-  const std::vector<bool> passive = passive_goals(setup_.goals, setup_.header.model, setup_.header.faults);
+  const std::vector<bool> passive =
+      passive_goals(setup_.goals, setup_.header.model, setup_.header.faults);
   report.not_counted = withhold(report.goals, setup_.goals, passive, report.outcome, facts);
   return report;
 }

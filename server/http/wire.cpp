@@ -158,6 +158,12 @@ std::vector<std::string_view> HttpRequest::values(std::string_view name) const {
   return found;
 }
 
+std::string_view subprotocol_of(std::string_view path) {
+  if (path == "/ws") return kSubprotocol;
+  if (path == "/line") return kLineSubprotocol;
+  return {};
+}
+
 std::string_view HttpRequest::path() const {
   return std::string_view(target).substr(0, target.find('?'));
 }

@@ -23,8 +23,11 @@ namespace xr3::http {
 inline constexpr std::size_t kMaxHeadBytes = 16 * 1024;
 inline constexpr std::size_t kMaxTargetBytes = 8 * 1024;
 inline constexpr std::size_t kMaxFields = 64;
-/// The only WebSocket subprotocol of /ws.
+/// The WebSocket subprotocols of /ws, a session of the monitor, and of /line, a serial line.
 inline constexpr std::string_view kSubprotocol = "xr3.v1";
+inline constexpr std::string_view kLineSubprotocol = "xr3.line.v1";
+/// The subprotocol of a path; empty if it is no WebSocket's.
+std::string_view subprotocol_of(std::string_view path);
 
 /// Whether the connection stays open after a message.
 enum class Then : std::uint8_t { kKeep, kClose };

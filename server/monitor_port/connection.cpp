@@ -40,8 +40,8 @@ asio::awaitable<void> MonitorConnection::run() {
     context_.tls_refused();
   } else if (protocol == monitor::Protocol::kHttp) {
     http_.emplace(*socket_, context_.resources,
-                  [this](std::string head, std::optional<std::string> cell) {
-                    return serve_websocket(std::move(head), std::move(cell));
+                  [this](std::string head, http::HttpRequest request) {
+                    return serve_websocket(std::move(head), std::move(request));
                   });
     co_await http_->run(std::move(first_bytes));
   } else {
@@ -51,8 +51,13 @@ asio::awaitable<void> MonitorConnection::run() {
 }
 
 asio::awaitable<void> MonitorConnection::serve_websocket(std::string head,
-                                                         std::optional<std::string> cell) {
-  websocket_ = Websocket::make(socket_, context_.service, std::move(cell));
+                                                         http::HttpRequest request) {
+  const std::optional<std::string> cell = request.parameter("cell");
+  if (http::subprotocol_of(request.path()) == http::kLineSubprotocol) {
+    line_ = LineWebsocket::make(socket_, peer_, context_.service, cell);
+    co_return co_await line_->run(std::move(head));
+  }
+  websocket_ = Websocket::make(socket_, context_.service, cell);
   co_await websocket_->run(std::move(head));
 }
 
@@ -92,7 +97,7 @@ void MonitorConnection::greet() {
 std::size_t MonitorConnection::held_bytes() const {
   if (!socket_->is_open()) return 0;
   return (http_ ? http_->held_bytes() : 0) + (lines_ ? lines_->held_bytes() : 0) +
-         (websocket_ ? websocket_->held_bytes() : 0);
+         (websocket_ ? websocket_->held_bytes() : 0) + (line_ ? line_->held_bytes() : 0);
 }
 
 // --- The end.
@@ -100,6 +105,7 @@ std::size_t MonitorConnection::held_bytes() const {
 void MonitorConnection::finish() {
   if (lines_) return lines_->finish();
   if (websocket_) return websocket_->finish();
+  if (line_) return line_->finish();
   if (http_) return http_->finish();
   abort();
 }
@@ -109,6 +115,7 @@ void MonitorConnection::abort() {
   socket_->close();
   if (lines_) lines_->wake();
   if (websocket_) websocket_->wake();
+  if (line_) line_->abort();
 }
 
 }  // namespace xr3

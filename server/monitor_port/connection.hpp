@@ -10,6 +10,7 @@
 
 #include "protocol/monitor/protocol_detector.hpp"
 #include "server/monitor_port/json_lines.hpp"
+#include "server/monitor_port/line_websocket.hpp"
 #include "server/monitor_port/websocket.hpp"
 #include "server/net/asio.hpp"
 #include "server/net/listener.hpp"
@@ -59,7 +60,7 @@ class MonitorConnection : public std::enable_shared_from_this<MonitorConnection>
   asio::awaitable<std::string> open();
   void greet_after_silence();
   void greet();
-  asio::awaitable<void> serve_websocket(std::string head, std::optional<std::string> cell);
+  asio::awaitable<void> serve_websocket(std::string head, http::HttpRequest request);
 
   MonitorConnectionContext& context_;
   tcp::endpoint peer_;
@@ -69,7 +70,8 @@ class MonitorConnection : public std::enable_shared_from_this<MonitorConnection>
   asio::steady_timer silence_;
   std::shared_ptr<JsonLines> lines_;      ///< once `hello` is sent
   std::optional<HttpSession> http_;       ///< if the client speaks HTTP
-  std::shared_ptr<Websocket> websocket_;  ///< if the client requests WebSocket
+  std::shared_ptr<Websocket> websocket_;  ///< if the client requests a session over WebSocket
+  std::shared_ptr<LineWebsocket> line_;   ///< if the client requests a line over WebSocket
 };
 
 }  // namespace xr3

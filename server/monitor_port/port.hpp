@@ -4,7 +4,8 @@
 // socket, as long as the limits of all clients and of one address allow; a connection beyond them
 // goes to Refusals (refusals.hpp), which answer only health checks. The first bytes tell the
 // protocol. JsonLines (json_lines.hpp) splits lines into requests; HTTP goes to the session in
-// server/resources, and after a handshake to Websocket (websocket.hpp). JsonLines and Websocket are
+// server/resources, and after a handshake to Websocket (websocket.hpp), or to LineWebsocket
+// (line_websocket.hpp), which carries a serial line to the robot port. JsonLines and Websocket are
 // transports: each reads one request, has its OpenSession (server/service) carry it out, and writes
 // the answers and frames that the session queues, as fast as the client reads. While the client
 // does not read, requests are not read either. Above --max-memory the port closes the connection

@@ -4,14 +4,12 @@
 #include <bit>
 #include <boost/asio/post.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
-#include <boost/beast/http/empty_body.hpp>
-#include <boost/beast/http/parser.hpp>
-#include <boost/beast/websocket/stream.hpp>
+#include <cassert>
 #include <memory>
 #include <optional>
 #include <utility>
 
-#include "server/http/wire.hpp"
+#include "server/monitor_port/handshake.hpp"
 #include "server/net/acknowledge.hpp"
 #include "server/service/open_session.hpp"
 
@@ -84,16 +82,6 @@ void async_teardown(beast::role_type role, TimedStream& wire, Handler&& handler)
   ws::async_teardown(role, wire.socket(), std::forward<Handler>(handler));
 }
 
-using Handshake = beast::http::request<beast::http::empty_body>;
-
-Handshake parsed(const std::string& head) {
-  beast::http::request_parser<beast::http::empty_body> parser;
-  parser.header_limit(2 * http::kMaxHeadBytes);  // never reached: our own limit was checked before
-  ErrorCode error;
-  parser.put(asio::buffer(head), error);
-  return parser.release();
-}
-
 ws::close_code code_of(std::optional<monitor::CloseReason> why) {
   if (why == monitor::CloseReason::kShutdown) return ws::close_code::going_away;
   if (why == monitor::CloseReason::kBadToken) return ws::close_code::policy_error;
@@ -119,7 +107,6 @@ class BeastWebsocket final : public Websocket, private MessageSink {
   std::shared_ptr<BeastWebsocket> self() {
     return std::static_pointer_cast<BeastWebsocket>(shared_from_this());
   }
-  asio::awaitable<bool> accept(const std::string& head);
   asio::awaitable<void> read_messages();
   asio::awaitable<bool> read_text();
   bool is_full() const;
@@ -169,8 +156,10 @@ BeastWebsocket::BeastWebsocket(std::shared_ptr<MonitorSocket> socket, MonitorSer
 
 asio::awaitable<void> BeastWebsocket::run(std::string head) {
   assert(http::read_head(head).fault == http::HeadFault::kNone);
-  const bool accepted = co_await accept(head);
-  if (accepted) {
+  stream_.control_callback(
+      [this](ws::frame_type, beast::string_view) { last_received_ = SteadyClock::now(); });
+  const bool accepted = co_await accept_handshake(stream_, head, http::kSubprotocol);
+  if (accepted && socket_->is_open()) {
     session_ = std::make_unique<OpenSession>(service_, static_cast<MessageSink&>(*this), cell_);
     last_received_ = SteadyClock::now();
     watch();
@@ -179,20 +168,6 @@ asio::awaitable<void> BeastWebsocket::run(std::string head) {
   }
   watch_.cancel();
   socket_->close();
-}
-
-asio::awaitable<bool> BeastWebsocket::accept(const std::string& head) {
-  const Handshake handshake = parsed(head);
-  const bool has_offer = handshake.count("Sec-WebSocket-Protocol") > 0;
-  stream_.set_option(ws::stream_base::decorator([has_offer](ws::response_type& answer) {
-    if (has_offer) answer.set("Sec-WebSocket-Protocol", http::kSubprotocol);
-    answer.set(beast::http::field::server, "xr3");  // default: Beast's name
-    for (const http::Field& field : http::safety_fields()) answer.set(field.name, field.value);
-  }));
-  stream_.control_callback(
-      [this](ws::frame_type, beast::string_view) { last_received_ = SteadyClock::now(); });
-  const auto [error] = co_await stream_.async_accept(handshake, kAwait);
-  co_return !error && socket_->is_open();
 }
 
 // --- In.

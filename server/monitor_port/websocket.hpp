@@ -1,5 +1,5 @@
-// A monitor session over WebSocket (Boost.Beast): each text message is one JSON object. Only
-// websocket.cpp and server/http/wire.cpp include Beast.
+// A monitor session over WebSocket (Boost.Beast): each text message is one JSON object. Only the
+// sources of WebSockets and server/http/wire.cpp include Beast.
 #pragma once
 
 #include <chrono>

@@ -11,8 +11,8 @@
 #include <system_error>
 #include <utility>
 
-#include "server/files/data_files.hpp"
 #include "cell/sha256.hpp"
+#include "server/files/data_files.hpp"
 #include "server/resources/web_assets.hpp"
 
 namespace xr3 {

@@ -85,9 +85,10 @@ Answer unknown_cell(const CellRegistry& cells) {
   return http::error(404, "unknown_cell", "there is no such cell", hint);
 }
 
-Answer upgrade_required() {
-  Answer answer = http::error(426, "upgrade_required", "/ws speaks WebSocket, version 13",
-                              "connect with a WebSocket client; subprotocol xr3.v1");
+Answer upgrade_required(std::string_view path) {
+  Answer answer = http::error(
+      426, "upgrade_required", std::string(path) + " speaks WebSocket, version 13",
+      "connect with a WebSocket client; subprotocol " + std::string(http::subprotocol_of(path)));
   answer.fields = {{"Upgrade", "websocket"}, {"Sec-WebSocket-Version", "13"}};
   answer.fields.push_back({"Connection", "Upgrade"});
   return answer;
@@ -129,18 +130,19 @@ std::optional<Answer> HttpResources::refuse(const HttpRequest& request) const {
 std::optional<Answer> HttpResources::refuse_websocket(const HttpRequest& request) const {
   const auto versions = request.values("Sec-WebSocket-Version");
   const auto keys = request.values("Sec-WebSocket-Key");
-  if (!request.is_upgrade) return upgrade_required();
-  if (versions.size() != 1 || versions.front() != "13") return upgrade_required();
+  if (!request.is_upgrade) return upgrade_required(request.path());
+  if (versions.size() != 1 || versions.front() != "13") return upgrade_required(request.path());
   if (keys.size() != 1 || !is_websocket_key(keys.front()))
     return http::bad_request("a WebSocket handshake has one Sec-WebSocket-Key of 16 bytes",
                              "send 16 random bytes in base64, as WebSocket libraries do");
   const auto offers = request.values("Sec-WebSocket-Protocol");
   for (const std::string_view offer : offers) {
-    if (has_token(offer, http::kSubprotocol)) return refuse_cell(request);
+    if (has_token(offer, http::subprotocol_of(request.path()))) return refuse_cell(request);
   }
   if (offers.empty()) return refuse_cell(request);
-  return http::bad_request("no subprotocol that was offered is known here",
-                           "offer xr3.v1, or none");
+  return http::bad_request(
+      "no subprotocol that was offered is known here",
+      "offer " + std::string(http::subprotocol_of(request.path())) + ", or none");
 }
 
 // --- Routes.

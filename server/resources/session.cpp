@@ -9,7 +9,10 @@ namespace {
 
 constexpr std::chrono::seconds kMaxHeadTime{10};
 constexpr std::chrono::seconds kKeptAlive{30};
-constexpr std::string_view kWebsocketPath = "/ws";
+
+bool is_websocket(const http::HttpRequest& request) {
+  return !http::subprotocol_of(request.path()).empty();
+}
 
 /// RFC 9112, section 2.2: empty lines before a request line are ignored.
 void skip_line_ends(std::string& bytes) {
@@ -29,7 +32,7 @@ asio::awaitable<void> HttpSession::run(std::string first_bytes) {
     const http::HeadReading head = co_await next_head();
     if (!socket_.is_open() || bytes_.empty()) break;
     if (is_handshake(head)) {
-      co_await to_websocket_(std::exchange(bytes_, {}), head.request.parameter("cell"));
+      co_await to_websocket_(std::exchange(bytes_, {}), head.request);
       co_return;
     }
     goes_on = co_await serve(head);
@@ -61,7 +64,7 @@ asio::awaitable<http::Answer> HttpSession::answer(const http::HeadReading& head)
     co_return http::too_slow();
   if (auto refused = http::refuse_head(head.fault)) co_return *std::move(refused);
   if (auto refused = resources_.refuse(head.request)) co_return *std::move(refused);
-  if (head.request.path() == kWebsocketPath) {
+  if (is_websocket(head.request)) {
     if (auto refused = resources_.refuse_websocket(head.request)) co_return *std::move(refused);
     co_return http::bad_request("a WebSocket client must wait for 101 before it sends frames",
                                 "send only the head of the handshake");
@@ -70,7 +73,7 @@ asio::awaitable<http::Answer> HttpSession::answer(const http::HeadReading& head)
 }
 
 bool HttpSession::is_handshake(const http::HeadReading& head) const {
-  return head.fault == http::HeadFault::kNone && head.request.path() == kWebsocketPath &&
+  return head.fault == http::HeadFault::kNone && is_websocket(head.request) &&
          bytes_.size() == head.head_bytes && !is_finishing_ && !resources_.refuse(head.request) &&
          !resources_.refuse_websocket(head.request);
 }

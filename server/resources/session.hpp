@@ -8,8 +8,8 @@
 // resource is a cell's state, robot, workcell or pictures, the health or the metrics of the server
 // (metrics.hpp, process_stats.hpp), the schema of the messages, a file of the page, which the build
 // embeds in the program (web_assets.hpp), or a file of the documentation, which the worker reads
-// where it is installed (documentation.hpp). All are read-only. A valid handshake for /ws leaves
-// the session: the connection then belongs to the WebSocket transport in server/monitor_port.
+// where it is installed (documentation.hpp). All are read-only. A valid handshake for /ws or
+// /line leaves the session: the connection then belongs to a WebSocket in server/monitor_port.
 #pragma once
 
 #include <functional>
@@ -27,7 +27,7 @@ class HttpSession {
  public:
   /// Serves the connection from a WebSocket handshake on; the head of the handshake is valid.
   using ToWebsocket =
-      std::function<asio::awaitable<void>(std::string head, std::optional<std::string> cell)>;
+      std::function<asio::awaitable<void>(std::string head, http::HttpRequest request)>;
 
   /// The socket and the resources must outlive the session.
   HttpSession(MonitorSocket& socket, HttpResources& resources, ToWebsocket to_websocket)

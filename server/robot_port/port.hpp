@@ -32,6 +32,8 @@ class RobotPort final : public LineSource {
   /// Starts to accept on a socket that listens already, which the port then owns.
   ErrorCode adopt(int listening) { return listener_.adopt(listening); }
   tcp::endpoint endpoint() const { return listener_.endpoint(); }
+  /// Opens a line for a client; refuses it beyond the limits, by closing its connection.
+  void open(NewConnection connection);
   /// Accepts no further connection.
   void close();
   /// Listener::trouble().
@@ -50,7 +52,6 @@ class RobotPort final : public LineSource {
   std::optional<asio::ip::address> release_owner();
 
  private:
-  void open(NewConnection connection);
   void refuse();
   void refuse_peer(const asio::ip::address& peer);
   void refuse_other(const asio::ip::address& peer);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <boost/asio/post.hpp>
+#include <cassert>
 #include <nlohmann/json.hpp>
 
 #include "cell/failure.hpp"
@@ -92,6 +93,16 @@ asio::awaitable<void> MonitorSessions::authorize(MonitorSession& session,
   session.send(service::refused(
       id, {"bad_token", "this is not the token", "five wrong ones end the connection"}));
   if (session.note_wrong_token() >= kMaxWrongTokens) session.end(monitor::CloseReason::kBadToken);
+}
+
+asio::awaitable<bool> MonitorSessions::may_control(const std::optional<std::string>& cell,
+                                                   const std::string& token) {
+  assert(needs_token());
+  if (policy_.is_right(token)) co_return true;
+  const CellPtr own = cells_.find_by_token(token);
+  if (own && cell == own->name()) co_return true;
+  co_await wrong_tokens_.delay();
+  co_return false;
 }
 
 void MonitorSessions::count(CellCounters& counters) const {

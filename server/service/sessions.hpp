@@ -36,6 +36,11 @@ class MonitorSessions {
   /// Grants access if the token is right, and answers.
   asio::awaitable<void> authorize(MonitorSession& session, const monitor::RequestId& id,
                                   const std::string& token);
+  bool needs_token() const { return policy_.needs_token(); }
+  /// Whether a token gives control of a cell, the first one if nullopt; a wrong one is answered
+  /// later. Precondition: needs_token().
+  asio::awaitable<bool> may_control(const std::optional<std::string>& cell,
+                                    const std::string& token);
   WrongTokens& wrong_tokens() { return wrong_tokens_; }
 
   /// The answer to a request for which the session lacks the access; nullptr if it has it.

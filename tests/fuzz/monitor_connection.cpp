@@ -82,13 +82,14 @@ http::Answer answer_to(const http::HeadReading& head) {
   if (auto refused = http::refuse_head(head.fault)) return *std::move(refused);
   if (auto refused = MonitorRig::shared().resources().refuse(head.request))
     return *std::move(refused);
-  if (head.request.path() == "/ws")
+  if (!http::subprotocol_of(head.request.path()).empty())
     return *MonitorRig::shared().resources().refuse_websocket(head.request);
   return MonitorRig::shared().answer(head.request);
 }
 
 bool is_handshake(const http::HeadReading& head) {
-  return head.fault == http::HeadFault::kNone && head.request.path() == "/ws" &&
+  return head.fault == http::HeadFault::kNone &&
+         !http::subprotocol_of(head.request.path()).empty() &&
          !MonitorRig::shared().resources().refuse(head.request) &&
          !MonitorRig::shared().resources().refuse_websocket(head.request);
 }

@@ -158,9 +158,9 @@ TEST(PageRobotTest, RepeatsTheRecordingOfAnotherOne) {
 
 /// The setup of the robot of a recording.
 PageSetup setup_of(const std::string& recording) {
-  return read_setup(Json{{"product", "xr3 test"},
-                         {"recording", recording.substr(0, recording.find('\n') + 1)}}
-                        .dump());
+  return read_setup(
+      Json{{"product", "xr3 test"}, {"recording", recording.substr(0, recording.find('\n') + 1)}}
+          .dump());
 }
 
 TEST(PageRobotTest, OpensARecordingAndGoesOn) {

@@ -2,6 +2,8 @@
 // The page's side of a robot without a server: starts the worker in which the robot lives, carries the messages of its monitor as a
 // WebSocket does (lib/connection.js), and runs programs.
 
+import { startWorker, textOf } from "./start_worker.js";
+
 /** @typedef {import("./setup.js").Beginning} Beginning @typedef {import("./setup.js").Past} Past */
 /** @typedef {{files: Record<string, string>, name: string}} Program */
 /**
@@ -46,7 +48,7 @@ export class Machine {
 
   /** @param {Past | null} past */
   #startWorker(past) {
-    this.worker = startWorker();
+    this.worker = startWorker(addressOf("assets/worker.js"));
     this.worker.onmessage = ({ data }) => this.#take(data);
     this.worker.onerror = ({ message }) => this.#fail(message || "the worker could not be started");
     this.worker.postMessage({ begin: { module: addressOf("xr3.wasm"), python: addressOf("python/"), setup: this.setup, past } });
@@ -161,22 +163,5 @@ export class Machine {
 
 const kStopWithinMs = 300;
 const kKilled = 137; // as of a process that was killed
-const kMostText = 1 << 24;
-/** @param {unknown} value */
-const textOf = (value) => String(value).slice(0, kMostText);
 /** @param {string} file */
 const addressOf = (file) => new URL(file, document.baseURI).href;
-
-/**
- * The worker comes from a blob that imports its script, so that it inherits the policy of the page on any host: one
- * from an address of its own would have the policy of that address, and a static host sends none.
- */
-function startWorker() {
-  const script = addressOf("assets/worker.js");
-  const blob = URL.createObjectURL(new Blob([`import ${JSON.stringify(script)};`], { type: "text/javascript" }));
-  try {
-    return new Worker(blob, { type: "module" });
-  } finally {
-    setTimeout(() => URL.revokeObjectURL(blob), 60_000); // the import is under way
-  }
-}

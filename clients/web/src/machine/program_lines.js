@@ -1,31 +1,15 @@
 // @ts-check
 // The connections of a program in the page: serial lines to the robot, and clients of its monitor.
 
+import { Arrived } from "./arrived.js";
+
 /** @typedef {import("./robot.js").Robot} Robot */
 
 const kMostWaiting = 1 << 20;
 const kMostReceived = 1 << 16; // of replies that the program has not read
 
-/** Bytes that have arrived and were not read. */
-class Arrived {
-  bytes = new Uint8Array();
-
-  /** @param {Uint8Array} more */
-  add(more) {
-    const all = new Uint8Array(this.bytes.length + more.length);
-    all.set(this.bytes);
-    all.set(more, this.bytes.length);
-    this.bytes = all;
-  }
-  /** @param {number} size @param {boolean} peek they stay */
-  read(size, peek) {
-    const read = this.bytes.slice(0, size);
-    if (!peek) this.bytes = this.bytes.slice(size);
-    return read;
-  }
-}
-
 export class RobotLine {
+  isOpening = false;
   #arrived = new Arrived();
 
   /** @param {Robot} robot */
@@ -72,6 +56,7 @@ export class MonitorLine {
   #unfinished = "";
   #decoder = new TextDecoder();
   #encoder = new TextEncoder();
+  isOpening = false;
   isClosed = false;
 
   /** @param {Robot} robot */

@@ -1,37 +1,47 @@
 // @ts-check
 // The functions that the package xr3_page calls for a Python program in the page: connections, and time. Their list is in
 // python/xr3_page/__init__.py.
-import { MonitorLine, RobotLine } from "./program_lines.js";
 import { Stopped } from "./program_time.js";
 
-/** @typedef {import("./robot.js").Robot} Robot @typedef {import("./program_time.js").ProgramTime} ProgramTime */
+/** @typedef {import("./program_time.js").ProgramTime} ProgramTime */
+/**
+ * A connection of a program. `send` returns the number of bytes taken, 0 if there is no room now; `waiting` that of bytes to read, -1 at
+ * the end; `finish` ends sending.
+ * @typedef {{isOpening: boolean, isClosed: boolean, send: (bytes: Uint8Array) => number, waiting: () => number,
+ *   read: (size: number, peek: boolean) => Uint8Array, finish: () => void, close: () => void}} Line
+ */
 
 const kClosed = -2;
+const kOpenMs = 30_000;
 
 export class ProgramRobot {
   monitor_port = 9601;
 
-  /** @param {Robot} robot @param {ProgramTime} time @param {(prompt: string) => Promise<string | undefined>} ask */
-  constructor(robot, time, ask) {
-    this.robot = robot;
+  /**
+   * @param {{open: () => Line, openMonitor: () => Line}} connect @param {ProgramTime} time
+   * @param {(prompt: string) => Promise<string | undefined>} ask
+   */
+  constructor(connect, time, ask) {
+    this.connect = connect;
     this.time = time;
     this.askUser = ask;
     this.begun = Date.now() / 1000;
-    this.lines = /** @type {Map<number, RobotLine | MonitorLine>} */ (new Map());
+    this.lines = /** @type {Map<number, Line>} */ (new Map());
   }
 
   open() {
-    return this.#add(new RobotLine(this.robot));
+    return this.#add(this.connect.open());
   }
   open_monitor() {
-    return this.#add(new MonitorLine(this.robot));
+    return this.#add(this.connect.openMonitor());
   }
-  /** @param {RobotLine | MonitorLine} line */
+  /** @param {Line} line */
   #add(line) {
     this.time.touch();
     const number = this.lines.size + 1;
     this.lines.set(number, line);
-    return number;
+    if (!line.isOpening) return number;
+    return this.#then(this.time.wait(kOpenMs, () => !line.isOpening), () => number);
   }
   /** @param {number} number */
   #line(number) {

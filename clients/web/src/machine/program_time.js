@@ -3,7 +3,7 @@
 // follows the bytes, its time goes on all the same, or it would wait for ever. While it waits, the page is served: by a
 // promise where Python can wait for one (JSPI), else the worker blocks in slices, and hears nothing in between.
 
-/** @typedef {import("./robot.js").Robot} Robot */
+/** @typedef {{clock: string, rate: number, tick: number, catchUp: () => void}} Clock of a Robot, or of a server */
 
 const kSliceMs = 16; // of wall time without a look at messages and frames
 const kShortMs = 4; // a browser's timer takes as long at least
@@ -14,8 +14,10 @@ export class Stopped extends Error {
 }
 
 export class ProgramTime {
+  #resume = () => {}; // ends the present slice
+
   /**
-   * @param {Robot} robot @param {boolean} canWait whether promises can be waited for
+   * @param {Clock} robot @param {boolean} canWait whether promises can be waited for
    * @param {() => void} serve sends what there is to say to the page
    * @param {() => Promise<void>} heard resolves when the page has taken most of it, and messages of the page have arrived
    */
@@ -98,15 +100,31 @@ export class ProgramTime {
     return Math.min(left / rate, kSliceMs);
   }
 
+  /** To be called when something has arrived that a program may wait for. */
+  wake() {
+    this.#resume();
+  }
+
   /** @param {() => number} left */
   async #waitServing(left) {
     for (let rest = left(); rest > 0; rest = left()) {
       const slice = this.#slice(rest);
       if (slice < kShortMs) Atomics.wait(this.never, 0, 0, slice);
-      else await new Promise((resume) => setTimeout(resume, slice));
+      else await this.#rest(slice);
       this.touch();
       if (this.#isDue) await this.#breathe();
     }
+  }
+
+  /** @param {number} slice ms @returns {Promise<void>} */
+  #rest(slice) {
+    return new Promise((resolve) => {
+      const timer = setTimeout(resolve, slice);
+      this.#resume = () => {
+        clearTimeout(timer);
+        resolve();
+      };
+    });
   }
 
   /** @param {() => number} left */

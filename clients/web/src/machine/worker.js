@@ -14,6 +14,7 @@
 //                {open}; or {error}
 //   {failed}     why there is no robot (any more); {refused} why the program does not run
 import { Module } from "./module.js";
+import { MonitorLine, RobotLine } from "./program_lines.js";
 import { ProgramRobot } from "./program_robot.js";
 import { ProgramTime } from "./program_time.js";
 import { Python } from "./python.js";
@@ -125,7 +126,7 @@ async function run(program) {
     post({ python: "ready" });
     time = new ProgramTime(robot, its.canWait, serve, heard);
     const environ = { XR3_HOST: "robot", XR3_PORT: "9600", XR3_MONITOR_PORT: "9601", ...(robot.clock === "bytes" ? { XR3_POLL_MS: "0" } : {}) };
-    const code = await its.run(new ProgramRobot(robot, time, ask), { ...program, environ });
+    const code = await its.run(new ProgramRobot({ open: () => new RobotLine(robot), openMonitor: () => new MonitorLine(robot) }, time, ask), { ...program, environ });
     serve();
     post({ ended: { code, goals: robot.goals() } });
   } catch (failure) {
