@@ -49,5 +49,5 @@ export const connection = new Connection(isHere ? toMachine : toServer, {
 const asked = new URLSearchParams(location.search).get("cell");
 if (asked) history.replaceState(null, "", pathOfCell(asked) + location.hash);
 connection.cell = cellOfPath(location.pathname);
-connection.token = isHere ? "" : takeFromAddress() ?? kept(); // (the robot of the page is not to have a server's)
+connection.token = takeFromAddress() ?? kept();
 connection.open();
