@@ -5,7 +5,8 @@ set(doc "${CMAKE_INSTALL_DATADIR}/doc/xr3")
 install(TARGETS xr3)
 install(DIRECTORY data/ DESTINATION "${CMAKE_INSTALL_DATADIR}/xr3")
 install(DIRECTORY build/site/ DESTINATION "${CMAKE_INSTALL_DATADIR}/xr3/docs" OPTIONAL  # by scripts/site
-  PATTERN "*.map" EXCLUDE)
+  PATTERN "*.map" EXCLUDE REGEX "/site/play$" EXCLUDE)
+install(DIRECTORY build/playground/ DESTINATION "${CMAKE_INSTALL_DATADIR}/xr3/play" OPTIONAL)  # by scripts/playground
 install(DIRECTORY docs/course/ DESTINATION "${CMAKE_INSTALL_DATADIR}/xr3/exercises")
 install(DIRECTORY "${manual}/" DESTINATION "${CMAKE_INSTALL_DATADIR}" PATTERN zsh EXCLUDE)
 install(DIRECTORY clients/python/ DESTINATION "${CMAKE_INSTALL_DATADIR}/xr3/python"

@@ -22,7 +22,7 @@ from mkdocs.structure.files import File
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 DOCS = "docs"
-ASSETS = {"assets/site.css": "site/style.css", "assets/icon.svg": "clients/web/src/icon.svg"}
+ASSETS = {"assets/site.css": "site/style.css", "assets/robot.js": "site/robot.js", "assets/icon.svg": "clients/web/src/icon.svg"}
 COPIES = "files"  # the folder of the site for copies of files outside of docs/
 AS_IT_IS = {".png", ".gif", ".svg", ".html"}  # a browser shows these; a copy of any other file ends in .txt
 FENCE = re.compile(r"(`{3,}|~{3,})")
@@ -202,7 +202,7 @@ def on_config(config):
 
 
 def on_files(files, config):
-    """Adds the pages outside of docs/, the style sheet and the icon."""
+    """Adds the pages outside of docs/, the style sheet, the script and the icon."""
     for src, place in [*SITE.outside.items(), *ASSETS.items()]:
         if files.get_file_from_path(src):
             log.warning("mkdocs.yml: %s is in docs/, too: choose another name for %s", src, place)

@@ -13,9 +13,14 @@ const kMaxBundleBytes = 850_000;
 // WebAssembly; scripts from texts stay forbidden.
 const kPolicy = "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self' blob:; img-src 'self' data: blob:; object-src 'none'; base-uri 'self'; form-action 'none'";
 
-const kPythonLicence = `This folder has Pyodide ${JSON.parse(await readFile(new URL("node_modules/pyodide/package.json", import.meta.url), "utf8")).version}, which is unchanged. It is under the Mozilla Public License 2.0
-(https://www.mozilla.org/MPL/2.0/); its source is at https://github.com/pyodide/pyodide. It contains CPython, under the licence of
-the Python Software Foundation (https://docs.python.org/3/license.html). packages.zip has the package xr3, under the licence of xr3 (MIT).
+const kNotice = `xr3 is under the licence MIT. This folder also has, each under its own licence:
+
+three.js, uPlot, CodeMirror   MIT: assets/*-license.txt
+${`Pyodide ${JSON.parse(await readFile(new URL("node_modules/pyodide/package.json", import.meta.url), "utf8")).version}`.padEnd(30)}Mozilla Public License 2.0: licences/pyodide.txt. It is unchanged; its source is at https://github.com/pyodide/pyodide
+CPython, in Pyodide           Python Software Foundation License, with those of the libraries in it, such as expat, libffi, libmpdec
+                              and zlib: licences/cpython.txt. Pyodide also has bzip2, liblzma and SQLite.
+xr3.wasm                      has Eigen (Mozilla Public License 2.0, unchanged: https://eigen.tuxfamily.org), nlohmann/json (MIT), and
+                              of Emscripten musl (MIT) and libc++ (Apache License 2.0 with LLVM Exceptions): licences/
 `;
 
 const path = (name) => fileURLToPath(new URL(name, import.meta.url)); // (an address has %20 for a blank)
@@ -42,9 +47,9 @@ async function examples() {
   return Promise.all(names.map(async (name) => ({ name, title: /^"""([^:]+):/.exec(await readFile(join(out, "data/examples", name), "utf8"))?.[1] ?? name })));
 }
 
-/** The service worker, last, since it knows all other files of the folder. */
+/** The service worker, last, since it knows all other files of the folder but the licences. */
 async function bundleOffline() {
-  const names = (await readdir(out, { recursive: true, withFileTypes: true })).filter((entry) => entry.isFile() && entry.name !== "offline.js")
+  const names = (await readdir(out, { recursive: true, withFileTypes: true })).filter((entry) => entry.isFile() && entry.name !== "offline.js" && !entry.name.endsWith(".txt"))
     .map(({ parentPath, path: older, name }) => relative(out, join(parentPath ?? older, name)));
   const sum = createHash("sha256");
   for (const name of names.sort()) sum.update(name).update(await readFile(join(out, name)));
@@ -76,7 +81,7 @@ for (const library of ["three", "uplot"])
 
 if (isHere) {
   await copyFile(path("node_modules/codemirror/LICENSE"), join(out, "assets/codemirror-license.txt"));
-  await writeFile(join(out, "python/LICENSE.txt"), kPythonLicence);
+  await writeFile(join(out, "NOTICE.txt"), kNotice);
   await mkdir(join(out, "data"), { recursive: true });
   await writeFile(join(out, "data/robots.json"), JSON.stringify(await robots()));
   await writeFile(join(out, "data/examples.json"), JSON.stringify(await examples()));

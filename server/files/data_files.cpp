@@ -20,9 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Maximum size of a data file. Refuses a wrong path, such as a disk image, before reading it.
-constexpr std::size_t kLargestFile = 4 * 1024 * 1024;
-
 // Maximum time for the next bytes of a pipe, such as the shell makes for <(command).
 constexpr int kMaxWaitMs = 10'000;
 
@@ -48,14 +45,15 @@ class OpenFile {
     if (!file_.is_open()) fail(std::string("cannot be read: ") + std::strerror(errno));
   }
 
-  std::string read_all() {
+  std::string read_all(std::size_t max_bytes) {
     std::string content;
     std::array<char, 65536> piece;
     for (;;) {
       const ::ssize_t count = ::read(file_.get(), piece.data(), piece.size());
       if (count == 0) return content;
       if (count > 0) content.append(piece.data(), static_cast<std::size_t>(count));
-      if (content.size() > kLargestFile) fail("too large; a data file has at most 4 MiB");
+      if (content.size() > max_bytes)
+        fail("too large; a data file has at most " + std::to_string(max_bytes >> 20U) + " MiB");
       if (count < 0) wait(errno);
     }
   }
@@ -76,10 +74,10 @@ class OpenFile {
 
 }  // namespace
 
-DataFile read_file(const fs::path& path) {
+DataFile read_file(const fs::path& path, std::size_t max_bytes) {
   std::error_code error;
   if (fs::is_directory(path, error)) throw FileError(path.string() + ": is a folder, not a file");
-  std::string content = OpenFile(path).read_all();
+  std::string content = OpenFile(path).read_all(max_bytes);
   if (content.starts_with(kByteOrderMark)) content.erase(0, kByteOrderMark.size());
   return {path.string(), std::move(content)};
 }
@@ -115,20 +113,14 @@ std::vector<std::string> names_of_data_files(const std::string& kind) {
   return names;
 }
 
-// The folder of exercises, in an installation or in a checkout.
-fs::path exercises_folder() {
+fs::path installed_folder(const std::string& name, const std::string& in_checkout) {
   const fs::path data = data_folder();
   std::error_code error;
-  const fs::path installed = data / "exercises";
-  return fs::is_directory(installed, error) ? installed : data / "../docs/course";
+  const fs::path installed = data / name;
+  return fs::is_directory(installed, error) ? installed : data / ".." / in_checkout;
 }
 
-fs::path documentation_folder() {
-  const fs::path data = data_folder();
-  std::error_code error;
-  const fs::path installed = data / "docs";
-  return fs::is_directory(installed, error) ? installed : data / "../build/site";
-}
+fs::path exercises_folder() { return installed_folder("exercises", "docs/course"); }
 
 std::vector<std::string> names_of_exercises() {
   std::vector<std::string> names;

@@ -12,6 +12,7 @@
 // whose message names the file and the reason.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -26,9 +27,12 @@ struct DataFile {
   std::string text;
 };
 
-/// Reads a file, pipe or device of at most 4 MiB, without its byte order mark. Waits at most 10 s
-/// for the next bytes of a pipe. Throws FileError.
-DataFile read_file(const std::filesystem::path& path);
+/// Maximum size of a data file. Refuses a wrong path, such as a disk image, before reading it.
+inline constexpr std::size_t kLargestDataFile = 4UL * 1024 * 1024;
+
+/// Reads a file, pipe or device of at most `max_bytes`, without its byte order mark. Waits at most
+/// 10 s for the next bytes of a pipe. Throws FileError.
+DataFile read_file(const std::filesystem::path& path, std::size_t max_bytes = kLargestDataFile);
 
 /// Whether find_data_file() treats the text as a path.
 bool is_data_path(const std::string& what);
@@ -55,9 +59,9 @@ inline constexpr const char* kExerciseFile = "exercise.json";
 /// Throws FileError if there is no data folder.
 std::filesystem::path exercises_folder();
 
-/// The folder of the documentation as a site, in an installation or in a checkout; it may not
-/// exist. Throws FileError if there is no data folder.
-std::filesystem::path documentation_folder();
+/// The folder `name` of an installation; without it, the folder `in_checkout` of a checkout, which
+/// may not exist. Throws FileError if there is no data folder.
+std::filesystem::path installed_folder(const std::string& name, const std::string& in_checkout);
 
 /// The names of these exercises, sorted. Throws FileError if there is no data folder.
 std::vector<std::string> names_of_exercises();

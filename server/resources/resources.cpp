@@ -102,7 +102,7 @@ HttpResources::HttpResources(MonitorService& service, const AccessPolicy& policy
       policy_(policy),
       not_ready_(std::move(not_ready)),
       count_(std::move(count)),
-      documentation_(service.worker()) {}
+      sites_(service.worker()) {}
 
 // --- Access.
 
@@ -163,6 +163,7 @@ const HttpResources::Route HttpResources::kRoutes[] = {
     {kHealth, Route::RouteKind::kServer, &HttpResources::health},
     {kReady, Route::RouteKind::kServer, &HttpResources::readiness},
     {"/schema/v1.json", Route::RouteKind::kServer, &HttpResources::schema},
+    {"/sites", Route::RouteKind::kServer, &HttpResources::sites},
     {"/metrics", Route::RouteKind::kMetrics, &HttpResources::metrics},
     {"/state", Route::RouteKind::kCell, &HttpResources::state},
     {"/robot", Route::RouteKind::kCell, &HttpResources::robot},
@@ -190,7 +191,7 @@ asio::awaitable<Answer> HttpResources::answer(const HttpRequest& request) {
     if (at) at->cell().catch_up(wall_now());
     co_return co_await (this->*route.show)(std::move(at), request);
   }
-  if (Documentation::has(path)) co_return co_await documentation_.answer(std::string(path));
+  if (Sites::has(path)) co_return co_await sites_.answer(std::string(path));
   co_return page(request);
 }
 
@@ -266,6 +267,10 @@ asio::awaitable<Answer> HttpResources::schema(CellPtr, HttpRequest) {
   } catch (const FileError&) {
     co_return http::not_found("the data folder has no schema");
   }
+}
+
+asio::awaitable<Answer> HttpResources::sites(CellPtr, HttpRequest) {
+  co_return co_await sites_.list();
 }
 
 // --- The cell.

@@ -1,5 +1,5 @@
 // The HTTP resources of the monitor port: the cells now, pictures of them, health and metrics of
-// the server, the viewer's files and the documentation. Read-only. Independent of connections.
+// the server, the viewer's files, and the sites. Read-only. Independent of connections.
 #pragma once
 
 #include <functional>
@@ -11,7 +11,7 @@
 #include "server/http/body.hpp"
 #include "server/net/asio.hpp"
 #include "server/net/wall_clock.hpp"
-#include "server/resources/documentation.hpp"
+#include "server/resources/sites.hpp"
 #include "server/service/service.hpp"
 #include "server/session/access.hpp"
 
@@ -35,8 +35,8 @@ class HttpResources {
   /// The error response for a forbidden Host, Origin or method, or an invalid target; else nullopt.
   std::optional<http::Answer> refuse(const http::HttpRequest& request) const;
 
-  /// The answer to a request that refuse() accepts. Waits for /camera.png and /docs/, for which
-  /// the worker works, and for /metrics, which advances all cells.
+  /// The answer to a request that refuse() accepts. Waits for /camera.png and for the sites, for
+  /// which the worker works, and for /metrics, which advances all cells.
   asio::awaitable<http::Answer> answer(const http::HttpRequest& request);
 
   /// Whether the request asks for /healthz or /readyz.
@@ -63,6 +63,7 @@ class HttpResources {
   asio::awaitable<http::Answer> robot(CellPtr at, http::HttpRequest request);
   asio::awaitable<http::Answer> workcell(CellPtr at, http::HttpRequest request);
   asio::awaitable<http::Answer> schema(CellPtr at, http::HttpRequest request);
+  asio::awaitable<http::Answer> sites(CellPtr at, http::HttpRequest request);
   asio::awaitable<http::Answer> bitmap(CellPtr at, http::HttpRequest request);
   asio::awaitable<http::Answer> png(CellPtr at, http::HttpRequest request);
   asio::awaitable<http::Answer> view(CellPtr at, http::HttpRequest request);
@@ -75,7 +76,7 @@ class HttpResources {
   NotReady not_ready_;
   Count count_;
   WallNs deadline_ = kNever;
-  Documentation documentation_;
+  Sites sites_;
   http::Body schema_;  ///< empty before the first request
 };
 

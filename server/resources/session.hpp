@@ -7,8 +7,8 @@
 // allowed, then the resource by its path, after the cell and the right to read were checked. A
 // resource is a cell's state, robot, workcell or pictures, the health or the metrics of the server
 // (metrics.hpp, process_stats.hpp), the schema of the messages, a file of the page, which the build
-// embeds in the program (web_assets.hpp), or a file of the documentation, which the worker reads
-// where it is installed (documentation.hpp). All are read-only. A valid handshake for /ws or
+// embeds in the program (web_assets.hpp), or a file of a site, such as the documentation, which the
+// worker reads where it is installed (sites.hpp). All are read-only. A valid handshake for /ws or
 // /line leaves the session: the connection then belongs to a WebSocket in server/monitor_port.
 #pragma once
 

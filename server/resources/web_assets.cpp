@@ -9,7 +9,7 @@
 namespace xr3 {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 16> kTypes{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 18> kTypes{{
     {".html", "text/html; charset=utf-8"},
     {".js", "text/javascript; charset=utf-8"},
     {".mjs", "text/javascript; charset=utf-8"},
@@ -24,6 +24,8 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 16> kTypes{{
     {".woff2", "font/woff2"},
     {".wasm", "application/wasm"},
     {".txt", "text/plain; charset=utf-8"},
+    {".py", "text/plain; charset=utf-8"},
+    {".zip", "application/zip"},
     {".xml", "application/xml"},
     {".glb", "model/gltf-binary"},
 }};

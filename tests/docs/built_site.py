@@ -1,10 +1,13 @@
 """Reads a built site: the links, anchors, assets and text of its pages. Each function returns problems as sentences."""
 
+import base64
 import html.parser
+import json
 import pathlib
 import posixpath
 import re
 import urllib.parse
+import zlib
 
 ASSETS = {"script": "src", "img": "src", "iframe": "src", "source": "src", "video": "src", "audio": "src",
           "embed": "src", "object": "data", "image": "href", "use": "href"}
@@ -14,8 +17,16 @@ OUTSIDE = re.compile(r"(https?:)?//")
 OF_STYLE = re.compile(r"""(?:url\(\s*|@import\s+)["']?([^"')\s]+)""")
 BLOCKS = set("p li ul ol pre h1 h2 h3 h4 h5 h6 table thead tbody tr td th blockquote details summary div hr article "
              "section".split())
-MOST_BYTES = 4 * 1024 * 1024
+MOST_BYTES = 16 * 1024 * 1024
+PLAY = "play"  # the robot without a server, which is no part of the documentation
 VOID = set("area base br col embed hr img input link meta source track wbr".split())
+
+
+def shared(link):
+    """The members in a link to the robot without a server (docs/playground.md)."""
+    _, mark, packed = link.partition("#xr3=")
+    data = base64.urlsafe_b64decode(packed + "=" * (-len(packed) % 4))
+    return json.loads(zlib.decompress(data, wbits=-15)) if mark else {}
 
 
 class Page(html.parser.HTMLParser):
@@ -80,7 +91,7 @@ class Page(html.parser.HTMLParser):
         if any(tag in ("script", "style", "button") for tag, _ in self._open) or self._is_in("headerlink"):
             return False
         return (self._whole or self._is_in("md-content__inner")) and not (
-            self._is_in("md-source-file") or self._is_in("doc") or self._is_in("md-content__button"))
+            self._is_in("md-source-file") or self._is_in("doc") or self._is_in("robot") or self._is_in("md-content__button"))
 
     def _flush(self):
         text, self._text = " ".join(self._text.split()), ""
@@ -91,13 +102,16 @@ class Page(html.parser.HTMLParser):
 
 
 class Site:
-    """All pages of a folder. `pages` maps a path to its Page. `base` is the path of the site on its server."""
+    """All pages of a folder, and all its `files`. `pages` maps a path to its Page. `base` is the path of the site on its
+    server."""
 
     def __init__(self, folder, base="/"):
         self.base = base
         self.folder = pathlib.Path(folder)
+        self.files = [path for path in sorted(self.folder.rglob("*"))
+                      if path.is_file() and path.relative_to(self.folder).parts[0] != PLAY]
         self.pages = {path.relative_to(self.folder).as_posix(): Page(path.read_text(encoding="utf-8"))
-                      for path in sorted(self.folder.rglob("*.html"))}
+                      for path in self.files if path.suffix == ".html"}
 
     def target(self, page, link):
         """(path, anchor) of a link inside the site; None for a link that leaves it."""
@@ -142,7 +156,7 @@ class Site:
         """Scripts, styles, fonts and pictures that a page would load from another server."""
         problems = [f"{name}: loads {asset}" for name, page in self.pages.items()
                     for asset in [*page.assets, *OF_STYLE.findall(" ".join(page.styles))] if OUTSIDE.match(asset)]
-        for path in sorted(self.folder.rglob("*.css")):
+        for path in (path for path in self.files if path.suffix == ".css"):
             text = path.read_text(encoding="utf-8")
             problems += [f"{path.relative_to(self.folder)}: loads {asset}" for asset in OF_STYLE.findall(text)
                          if OUTSIDE.match(asset)]
@@ -151,7 +165,7 @@ class Site:
     def not_served(self):
         """Attributes that the Content-Security-Policy of `xr3 serve` blocks, and files that are too large for it."""
         return [*(f"{name}: has an attribute {each}" for name, page in self.pages.items() for each in page.inline),
-                *(f"{path.relative_to(self.folder)}: has more than 4 MiB" for path in sorted(self.folder.rglob("*"))
+                *(f"{path.relative_to(self.folder)}: has more than {MOST_BYTES >> 20} MiB" for path in self.files
                   if path.stat().st_size > MOST_BYTES)]
 
     def not_once(self, expected):
@@ -163,5 +177,5 @@ class Site:
 
     def naming(self, text):
         """Files that contain this text, such as a path of the machine that has built the site."""
-        return [f"{path.relative_to(self.folder)}: contains {text}" for path in sorted(self.folder.rglob("*"))
-                if path.is_file() and text.encode() in path.read_bytes()]
+        return [f"{path.relative_to(self.folder)}: contains {text}" for path in self.files
+                if text.encode() in path.read_bytes()]

@@ -11,7 +11,7 @@ import unittest
 
 import yaml
 
-from built_site import MOST_BYTES, Page, Site
+from built_site import MOST_BYTES, Page, Site, shared
 
 ROOT = pathlib.Path(os.environ["XR3_ROOT"])
 PAGE = """<!doctype html><link rel="stylesheet" href="style.css"><link rel="canonical" href="https://example.org/">
@@ -74,7 +74,7 @@ class BrokenSites(unittest.TestCase):
         (self.folder / "large.gif").write_bytes(bytes(MOST_BYTES + 1))
         self.write("a/b.html", '<p style="color: red"><button onclick="run()">')
         self.assertEqual(["a/b.html: has an attribute style", "a/b.html: has an attribute onclick",
-                          "large.gif: has more than 4 MiB"], Site(self.folder).not_served())
+                          "large.gif: has more than 16 MiB"], Site(self.folder).not_served())
 
     def test_a_style_sheet_that_loads_a_font(self):
         text = "@font-face { src: url('https://example.org/f.woff2') }"
@@ -93,12 +93,12 @@ class BrokenSites(unittest.TestCase):
         self.assertEqual([(0, "h1", "Title"), (0, "text", "one"), (1, "text", "two E ,"), (1, "pre", "x")], page.blocks)
 
 
-class BrokenCheckouts(unittest.TestCase):
+class Checkout(unittest.TestCase):
     """A small checkout with the real mkdocs.yml but for its pages."""
 
     def setUp(self):
         self.folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
-        for name in "site/hook.py", "site/style.css", "scripts/site", "clients/web/src/icon.svg":
+        for name in "site/hook.py", "site/play.py", "site/robot.js", "site/style.css", "scripts/site", "clients/web/src/icon.svg":
             (self.folder / name).parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(ROOT / name, self.folder / name)
         settings = (ROOT / "mkdocs.yml").read_text(encoding="utf-8").partition("\nnav:")[0]
@@ -110,12 +110,14 @@ class BrokenCheckouts(unittest.TestCase):
         (self.folder / "main.cpp").write_text("int main() {}\n", encoding="utf-8")
         (self.folder / "other.md").write_text("# Other\n", encoding="utf-8")
 
-    def build(self, body):
+    def build(self, body, **variables):
         (self.folder / "docs" / "README.md").write_text(f"# All\n\n{body}\n", encoding="utf-8")
         done = subprocess.run([self.folder / "scripts" / "site"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                              text=True, timeout=BUILD_S, check=False)
+                              text=True, timeout=BUILD_S, check=False, env={**os.environ, "XR3_SITE_URL": "", **variables})
         return done.returncode, done.stdout
 
+
+class BrokenCheckouts(Checkout):
     def test_links_that_work_in_the_repository(self):
         code, said = self.build("[front page](../README.md#xr3) and [source](../main.cpp)\n"
                                 "* a list\n  <https://example.org/>")
@@ -135,6 +137,51 @@ class BrokenCheckouts(unittest.TestCase):
             self.assertIn(f"README.md: the link {link} leads to {problem}: link to", said)
 
 
+class Robots(Checkout):
+    """Comments that become links to the robot without a server."""
+
+    PROGRAM = "```python\n# go.py\nprint('go')\n```\n"
+
+    def make_playground(self):
+        (self.folder / "build" / "playground").mkdir(parents=True)
+        (self.folder / "build" / "playground" / "index.html").write_text("a robot", encoding="utf-8")
+
+    def links(self):
+        return [link for link in Site(self.folder / "build" / "site").pages["index.html"].links if link.startswith("play/")]
+
+    def test_each_becomes_a_link(self):
+        self.make_playground()
+        (self.folder / "docs" / "lab.json").write_text('{"blocks": []}', encoding="utf-8")
+        code, said = self.build(self.PROGRAM + "\n<!-- robot: -->\n\n<!-- robot: program=go.py robot=adept-one workcell=lab.json -->")
+        self.assertEqual(0, code, said)
+        first, second = self.links()
+        self.assertEqual("play/", first)
+        self.assertEqual({"program": "# go.py\nprint('go')\n", "robot": "adept-one", "workcell": '{"blocks": []}'}, shared(second))
+        self.assertEqual("a robot", (self.folder / "build/site/play/index.html").read_text(encoding="utf-8"))
+
+    def test_an_address_of_the_site_is_needed_for_its_text(self):
+        self.make_playground()
+        text = "<!-- address: Try it -->"
+        self.build(text)
+        self.assertEqual([], [link for link in Site(self.folder / "build/site").pages["index.html"].links if "play" in link])
+        self.build(text, XR3_SITE_URL="https://example.org/xr3/")
+        self.assertIn("https://example.org/xr3/play/", Site(self.folder / "build/site").pages["index.html"].links)
+
+    def test_what_it_names_must_exist(self):
+        self.make_playground()
+        for words, problem in (("program=gone.py", "program=gone.py is neither a name, nor a file beside the page, nor code"),
+                               ("recording=a.xr3rec", "recording=a.xr3rec is neither"), ("arm=x", "there is no arm, but robot"),
+                               ("exercise", "exercise.json")):
+            code, said = self.build(f"<!-- robot: {words} -->")
+            self.assertNotEqual(0, code)
+            self.assertIn(problem, said)
+
+    def test_without_the_robot_there_are_no_links_and_a_line_says_so(self):
+        code, said = self.build("<!-- robot: -->")
+        self.assertEqual((0, []), (code, self.links()))
+        self.assertEqual(1, said.count("The pages have no robots in them: build/playground is missing (scripts/playground)."))
+
+
 class Publishing(unittest.TestCase):
     """The files for GitHub Pages and GitLab Pages, which no test can run: what they call and name exists."""
 
@@ -152,8 +199,8 @@ class Publishing(unittest.TestCase):
         steps = [step for job in jobs.values() for step in job["steps"]]
         for step in steps:
             self.assertRegex(step.get("uses", "actions/x@v1"), r"^actions/[a-z-]+@v\d+$")
-        build = next(step for step in steps if "run" in step)
-        self.assertEqual("./test --docs", build["run"])
+        play, build = (step for step in steps if "run" in step)
+        self.assertEqual(("scripts/playground", "./test --docs"), (play["run"], build["run"]))
         self.check_variables(build["env"])
         upload = next(step for step in steps if "upload-pages-artifact" in step.get("uses", ""))
         self.assertIn(f"\nsite_dir: {upload['with']['path']}\n", self.settings)
@@ -162,7 +209,7 @@ class Publishing(unittest.TestCase):
     def test_gitlab(self):
         job = yaml.safe_load((ROOT / "deploy/gitlab/pages.yml").read_text(encoding="utf-8"))["pages"]
         self.check_variables(job["variables"])
-        self.assertEqual(["./test --docs", "mv build/site public"], job["script"])
+        self.assertEqual(["scripts/playground", "./test --docs", "mv build/site public"], job["script"])
         self.assertEqual(["public"], job["artifacts"]["paths"])
 
 

@@ -10,7 +10,7 @@ import urllib.parse
 
 from markdown_it import MarkdownIt
 
-from built_site import Page, Site
+from built_site import Page, Site, shared
 
 ROOT = pathlib.Path(os.environ["XR3_ROOT"])
 SITE = ROOT / "build" / "site"
@@ -74,6 +74,25 @@ class BuiltSite(unittest.TestCase):
             with self.subTest(name):
                 markdown = MarkdownIt("commonmark").enable("table").render(path.read_text(encoding="utf-8"))
                 self.assertEqual(Page(markdown, whole=True).blocks, self.site.pages[name].blocks)
+
+    @unittest.skipUnless((SITE / "play").is_dir(), "the site has no robots: scripts/playground, then scripts/site")
+    def test_each_step_and_each_exercise_has_a_robot(self):
+        """Program and goals are in its link, where the page has them."""
+        for name in (name for name in sources() if re.fullmatch(r"(tutorial/\d-|course/\d\d-).*", name)):
+            with self.subTest(name):
+                [link] = [link for link in self.site.pages[name].links if "/play/" in link]
+                members = shared(link)
+                self.assertLess(len(link), 8192)
+                compile(members.get("program", ""), name, "exec")
+                if name.startswith("course/"):
+                    json.loads(members["goals"])
+                    self.assertIn("TODO", members["program"])
+        self.assertIn("find-and-pick", shared(self.link("tutorial/9-judge.html"))["goals"])
+        self.assertEqual({"recording"}, set(shared(self.link("recording.html"))))
+        self.assertTrue((SITE / "play" / shared(self.link("recording.html"))["recording"]).is_file())
+
+    def link(self, name):
+        return next(link for link in self.site.pages[name].links if "play/" in link and "index" not in link)
 
     def test_anchors_are_those_of_a_git_host(self):
         for heading, anchor in (("A class: many robots", "a-class-many-robots"),

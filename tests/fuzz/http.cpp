@@ -18,7 +18,7 @@
 #include "protocol/monitor/http_guard.hpp"
 #include "server/http/answer.hpp"
 #include "server/http/wire.hpp"
-#include "server/resources/documentation.hpp"
+#include "server/resources/sites.hpp"
 #include "tests/fuzz/common/fuzz.hpp"
 #include "tests/fuzz/common/monitor_rig.hpp"
 #include "tests/fuzz/common/pieces.hpp"
@@ -182,7 +182,7 @@ bool is_guarded(const Field& field) {
 
 // --- Answers.
 
-/// Whether a response has its own value of this field: the documentation has a policy of its own.
+/// Whether a response has its own value of this field: a site has a policy of its own.
 bool has_own(const http::Answer& answer, std::string_view name) {
   return std::ranges::any_of(answer.fields, [name](const Field& own) { return own.name == name; });
 }
@@ -212,14 +212,14 @@ void check_response(const http::Answer& answer, std::string_view method, Effort 
     require(Json::accept(answer.body.bytes()), "the body of a response is JSON");
 }
 
-/// Without the token, only health checks, the page, the documentation, the schema and errors are
-/// answered.
+/// Without the token, only health checks, the page, the sites, the schema and errors are answered.
 void check_closed(const HttpRequest& request) {
   const http::Answer answer = MonitorRig::closed().answer(request);
   const std::string_view path = request.path();
   const bool is_page = path == "/" || path == "/favicon.ico" || path.starts_with("/assets/") ||
-                       path.starts_with("/cell/") || Documentation::has(path);
-  const bool is_open = path == "/healthz" || path == "/readyz" || path == "/schema/v1.json";
+                       path.starts_with("/cell/") || Sites::has(path);
+  const bool is_open = path == "/healthz" || path == "/readyz" || path == "/schema/v1.json" ||
+                       path == "/sites";
   require(answer.status >= 400 || is_page || is_open, "reading needs the token");
 }
 

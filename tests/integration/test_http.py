@@ -13,7 +13,7 @@ from support import DEADLINE_S, LOCALHOST, ROOT, Server, connect, machine, run_x
 RESOURCES = {"/": "text/html; charset=utf-8", "/healthz": "text/plain; charset=utf-8",
              "/readyz": "text/plain; charset=utf-8", "/metrics": "text/plain; version=0.0.4; charset=utf-8",
              "/state": "application/json", "/robot": "application/json", "/workcell": "application/json",
-             "/schema/v1.json": "application/json", "/camera.png": "image/png",
+             "/schema/v1.json": "application/json", "/sites": "application/json", "/camera.png": "image/png",
              "/camera.pbm": "image/x-portable-bitmap", "/view.svg": "image/svg+xml"}
 SAFETY = {"x-content-type-options": "nosniff", "cross-origin-resource-policy": "same-origin",
           "content-security-policy": "default-src 'self'; frame-ancestors 'none'; base-uri 'none'"}

@@ -24,18 +24,21 @@ WORK = ROOT / "build" / "packages-test"
 VERSION = re.search(r"project\(xr3 VERSION (\S+)", (ROOT / "CMakeLists.txt").read_text()).group(1)
 NEXT = "9.8.7"
 
-# Asks the robot at port 9600 for the error of a motor, and port 9601 for the documentation, by bash alone.
+# Asks the robot at port 9600 for the error of a motor, and port 9601 for its sites, by bash alone.
 SERVE_AND_ASK = """
 xr3 serve --log-level warn >/tmp/out & server=$!
 until grep -q LISTENING /tmp/out; do kill -0 $server; done
 /bin/bash -c 'exec 3<>/dev/tcp/127.0.0.1/9600; printf "E?" >&3
   IFS= read -r -n 1 -t 10 reply <&3; printf "reply [%s]\\n" "$reply"
-  exec 4<>/dev/tcp/127.0.0.1/9601; printf "GET /docs/ HTTP/1.1\\r\\nHost: localhost\\r\\n\\r\\n" >&4
-  IFS= read -r -t 10 status <&4; printf "docs [%s]\\n" "${status%?}"'
+  for path in /docs/ /play/ /play/xr3.wasm /docs/tutorial/0-in-a-page.html; do
+    exec 4<>/dev/tcp/127.0.0.1/9601; printf "GET $path HTTP/1.1\\r\\nHost: localhost\\r\\n\\r\\n" >&4
+    IFS= read -r -t 10 status <&4; printf "$path [%s]\\n" "${status%?}"
+  done'
 xr3 healthcheck
 kill $server; wait $server
 """
-ANSWERS = "reply [ ]\ndocs [HTTP/1.1 200 OK]\n"  # a blank: no error
+ANSWERS = "reply [ ]\n" + "".join(f"{path} [HTTP/1.1 200 OK]\n" for path in (  # a blank: no error
+    "/docs/", "/play/", "/play/xr3.wasm", "/docs/tutorial/0-in-a-page.html"))
 
 
 def run(*command, cwd=ROOT, timeout=3000, **options):
@@ -101,6 +104,7 @@ def setUpModule():
 def packages_of_the_last_commit():
     """The folder of the packages, which are built once."""
     checkout = clone(WORK / "first")
+    run("scripts/playground", cwd=checkout)
     run("scripts/package", cwd=checkout)
     return checkout / "build" / "packages"
 
@@ -119,7 +123,7 @@ class Built(unittest.TestCase):
 class Reproducible(Built):
     def test_another_place_time_zone_and_mask_give_the_same_bytes(self):
         other = clone(WORK / "another place" / "with a longer name", source=WORK / "first")
-        run("/bin/sh", "-c", "umask 077; exec scripts/package", cwd=other,
+        run("/bin/sh", "-c", "umask 077; scripts/playground && exec scripts/package", cwd=other,
             env={**os.environ, "CCACHE_DISABLE": "1", "TZ": "Asia/Tokyo", "LC_ALL": "C"})
         self.assertEqual(hashes(self.packages), hashes(other / "build" / "packages"))
         self.assertEqual(2, len(hashes(self.packages)))
@@ -170,6 +174,17 @@ class DebianPackage(Built):
         root.run("apt-get purge --yes xr3")
         self.assertEqual("", root.run("find / -xdev -name '*xr3*' -not -path '/proc/*' -not -path '/tmp/*'"
                                       " -not -path '/var/log/*' -not -path '/var/cache/*'"))
+
+    def test_the_robot_in_a_page_is_there_once_with_its_licences(self):
+        tree = pathlib.Path(self.folder, "tree")
+        run("dpkg-deb", "-x", debian_package(self.packages), tree)
+        share = tree / "usr/share"
+        self.assertEqual([share / "xr3/play/xr3.wasm"], list(tree.rglob("xr3.wasm")))
+        for path in (share / "xr3/play").rglob("*"):
+            self.assertEqual(0o755 if path.is_dir() else 0o644, path.stat().st_mode & 0o777, path)
+        self.assertIn("#xr3=", (share / "xr3/docs/tutorial/7-pick.html").read_text(encoding="utf-8"))
+        self.assertLessEqual({"pyodide", "cpython", "codemirror", "emscripten"},
+                             set(os.listdir(share / "doc/xr3/licences")))
 
     def test_manual_pages_are_well_formed(self):
         tree = os.path.join(self.folder, "tree")
@@ -313,7 +328,7 @@ class Release(unittest.TestCase):
         self.assertEqual("SPDX-2.3", document["spdxVersion"])
         names = {each["name"]: each for each in document["packages"]}
         self.assertLessEqual({"xr3", "libgcc-s1", "libstdc++6", "libboost1.81-dev", "nettle-dev", "three", "uplot",
-                              "mkdocs-material"},
+                              "mkdocs-material", "pyodide", "cpython", "codemirror"},
                              set(names))
         self.assertEqual(NEXT, names["xr3"]["versionInfo"])
         self.assertTrue(all(each["versionInfo"] and each["licenseDeclared"] for each in names.values()))

@@ -52,3 +52,23 @@ test("Help has all commands of the line, and its search leaves what one looks fo
     await page.click("#help-close");
     await page.waitForSelector("#help", { state: "hidden" });
   }, { picture: false }));
+
+test("Help has links to what the server has beside the page, and says what is missing and who builds it", () =>
+  withPage(["--clock", "manual"], async (page) => {
+    const shown = async (sites) => {
+      await page.route("**/sites", (route) => route.fulfill({ json: sites }));
+      await page.click("#help-button");
+      await page.waitForFunction((count) => document.querySelectorAll("#help-keys section:last-of-type a").length === count, sites.length === 0 ? 0 : 1);
+      await page.waitForSelector("#help li:has-text('documentation')");
+      const text = await page.innerText("#help-keys section:last-of-type");
+      await page.click("#help-close");
+      await page.unroute("**/sites");
+      return text;
+    };
+    const none = await shown([]);
+    assert.match(none, /The documentation is not here: scripts\/site builds it/);
+    assert.match(none, /The robot without a server is not here: scripts\/playground builds it/);
+    const play = await shown(["/play/"]);
+    assert.match(play, /The documentation is not here/);
+    assert.match(play, /A robot without a server/);
+  }, { picture: false, serviceWorkers: "block" }));

@@ -20,8 +20,12 @@ const kStatuses = /** @type {[import("../lib/chip.js").Kind, string, string][]} 
 const kGroups = /** @type {[string, keyof typeof commands][]} */ ([
   ["Motion", "motion"], ["Switches and lines", "switches_and_lines"], ["Camera, display, settings", "environment"],
 ]);
-const kPages = [["tutorial/", "Tutorial: 45 minutes to a picked block"], ["troubleshooting/", "Nothing moves?"], ["viewer/", "This page"],
-  ["own-robot/", "Your own robot"], ["", "All of the documentation"]];
+/** What the server has beside this page, where it is installed: links, or what to do without it. */
+const kSites = /** @type {{path: string, pages: [string, string][], missing: string}[]} */ ([
+  { path: "/docs/", missing: "The documentation is not here: scripts/site builds it.", pages: [["tutorial/", "Tutorial: from the first line to a picked block"],
+    ["troubleshooting/", "Nothing moves?"], ["viewer/", "This page"], ["own-robot/", "Your own robot"], ["", "All of the documentation"]] },
+  { path: "/play/", missing: "The robot without a server is not here: scripts/playground builds it.", pages: [["", "A robot without a server"]] },
+]);
 
 const firstSentence = (/** @type {string} */ text) => text.split(/(?<=\.) /)[0];
 
@@ -44,7 +48,7 @@ export class Help {
     byId("help-keys").append(section("Keys", list(keys.map(({ shown, does }) => row(el("kbd", {}, shown), does))), this.#switch()),
       section("What the status means", list(kStatuses.map(([kind, word, text]) => row(showChip(newChip(), { kind, word }), text)))),
       section("Marks of the time bar", list(Object.values(kKinds).map(({ sign, name }) => row(sign, name)))),
-      section("Read", el("ul", {}, el("li", {}, this.#first(showFirst)), ...(isHere ? [] : kPages).map(([page, name]) => el("li", {}, el("a", { href: `/docs/${page}`, target: "_blank" }, name))))));
+      section("Read", (this.pages = el("ul", {}, el("li", {}, this.#first(showFirst))))));
   }
 
   /** @param {() => void} showFirst */
@@ -65,6 +69,14 @@ export class Help {
     if (this.dialog.open) return;
     this.dialog.showModal();
     byId("help-search").focus();
+    if (!isHere) this.#listSites().catch(() => {}); // no connection
+  }
+
+  async #listSites() {
+    const here = await (await fetch("/sites")).json();
+    const lines = kSites.flatMap(({ path, pages, missing }) =>
+      here.includes(path) ? pages.map(([page, name]) => el("a", { href: path + page, target: "_blank" }, name)) : [missing]);
+    this.pages.replaceChildren(this.pages.children[0], ...lines.map((line) => el("li", {}, line)));
   }
 
   #search() {

@@ -30,7 +30,7 @@ export class ProgramPanel {
     this.openTab = openTab;
     this.panel = byId("program-panel");
     this.text = /** @type {string} */ (recall("program", kFirst));
-    this.given = given.then((text) => (this.text = text ?? this.text)).catch(() => {}); // the page says that the link is damaged
+    this.given = given.then((text) => this.#take(text)).catch(() => {}); // the page says that the link is damaged
     this.output = new ProgramOutput(byId("program-output"), kName, (line) => this.editor?.goTo(line));
     machine.listener = {
       python: (state) => this.#setState(state === "loading" ? "Python is being loaded (13 MB, once)" : "Running"),
@@ -51,6 +51,13 @@ export class ProgramPanel {
     this.#fillExamples().catch(showError);
     kWide.addEventListener("change", () => this.#place());
     this.#place();
+  }
+
+  /** Takes the program of a link, and shows it. @param {string | undefined} text */
+  #take(text) {
+    if (text === undefined) return;
+    this.text = text;
+    if (!kWide.matches) this.openTab();
   }
 
   // --- Its place: left of the stage on wide windows, else a tab of the drawer.

@@ -1,4 +1,4 @@
-"""The documentation below /docs/: a made-up site, read over sockets as a hostile client would."""
+"""The sites below /docs/ and /play/: made-up ones, read over sockets as a hostile client would."""
 
 # labels: release
 import base64
@@ -6,6 +6,7 @@ import hashlib
 import json
 import os
 import pathlib
+import re
 import tempfile
 import unittest
 
@@ -18,8 +19,13 @@ GUIDE = "<!doctype html><title>Guide</title><p>How to"
 OTHERS = {"main.js": "text/javascript; charset=utf-8", "main.css": "text/css; charset=utf-8", "a.svg": "image/svg+xml",
           "a.png": "image/png", "a.gif": "image/gif", "index.json": "application/json", "map.xml": "application/xml",
           "notes.txt": "text/plain; charset=utf-8", "guide.md": "application/octet-stream"}
-LARGEST = 4 * 1024 * 1024
+OF_PLAY = {"xr3.wasm": "application/wasm", "python/pyodide.mjs": "text/javascript; charset=utf-8",
+           "python/packages.zip": "application/zip", "data/robots.json": "application/json",
+           "data/examples/1_hello.py": "text/plain; charset=utf-8", "offline.js": "text/javascript; charset=utf-8",
+           "data/recordings/a.xr3rec": "application/octet-stream"}
+LARGEST = 16 * 1024 * 1024
 SECRET = "not for others"
+TOKEN = "a token of the tests"
 
 
 def hash_of(text):
@@ -144,6 +150,51 @@ class Policy(Installed):
             for page in "<script", "<script>", "<script>half", "<style><script></style", "<scripts>":
                 (self.site / "half.html").write_text(page, encoding="utf-8")
                 self.assertEqual(page.encode(), ask(xr3, "/docs/half.html")[2])
+
+
+class Play(Installed):
+    """The robot without a server."""
+
+    def make_play(self, folder):
+        for name in "index.html", *OF_PLAY:
+            (folder / name).parent.mkdir(parents=True, exist_ok=True)
+            (folder / name).write_text(name, encoding="utf-8")
+
+    def test_each_file_with_its_type_and_policy(self):
+        """The policy is that of the page itself, which may also be a frame of the documentation."""
+        self.make_play(self.data / "play")
+        build = pathlib.Path(ROOT, "clients/web/build.mjs").read_text(encoding="utf-8")
+        policy = re.search('^const kPolicy = "(.*)";$', build, re.MULTILINE)[1] + "; frame-ancestors 'self'"
+        with self.server() as xr3:
+            for name, kind in {"": "text/html; charset=utf-8", **OF_PLAY}.items():
+                with self.subTest(name):
+                    status, fields, body = ask(xr3, f"/play/{name}")
+                    self.assertEqual((200, kind), (status, field(fields, "content-type")))
+                    self.assertEqual(name or "index.html", body.decode())
+                    self.assertEqual(policy, field(fields, "content-security-policy"))
+            status, fields, _ = ask(xr3, "/play")
+            self.assertEqual((301, "/play/"), (status, field(fields, "location")))
+            self.assertEqual(404, ask(xr3, "/play/../secret.txt")[0])
+
+    def test_the_documentation_links_to_it_as_to_a_page_of_its_own(self):
+        self.make_site()
+        self.make_play(self.data / "play")
+        with self.server() as xr3:
+            status, fields, _ = ask(xr3, "/docs/play/data/robots.json")
+            self.assertEqual((301, "/play/data/robots.json"), (status, field(fields, "location")))
+
+    def test_the_server_says_which_sites_are_here(self):
+        self.site = self.top / "build" / "site"
+        with self.server("--private", XR3_TOKEN=TOKEN) as xr3:
+            self.assertEqual([], json.loads(ask(xr3, "/sites")[2]))
+            error = json.loads(ask(xr3, "/play/")[2])["error"]
+            self.assertEqual(("not_found", "the robot without a server is not here; scripts/playground builds it"),
+                             (error["code"], error["message"]))
+            self.make_site()
+            self.assertEqual(["/docs/"], json.loads(ask(xr3, "/sites")[2]))
+            self.make_play(self.top / "build" / "playground")
+            self.assertEqual(["/docs/", "/play/"], json.loads(ask(xr3, "/sites")[2]))
+            self.assertEqual(200, ask(xr3, "/play/")[0])
 
 
 class Hostile(Installed):
