@@ -42,6 +42,16 @@ async function examples() {
   return Promise.all(names.map(async (name) => ({ name, title: /^"""([^:]+):/.exec(await readFile(join(out, "data/examples", name), "utf8"))?.[1] ?? name })));
 }
 
+/** The exercises of data/course, with their titles and the programs with which they begin. */
+async function exercises() {
+  const names = (await readdir(join(out, "data/course"))).sort();
+  return Promise.all(names.map(async (name) => {
+    const folder = join(out, "data/course", name);
+    const [starter] = await readdir(join(folder, "starter"));
+    return { name, title: JSON.parse(await readFile(join(folder, "exercise.json"), "utf8")).title, starter };
+  }));
+}
+
 /** The service worker, last, since it knows all other files of the folder. */
 async function bundleOffline() {
   const names = (await readdir(out, { recursive: true, withFileTypes: true })).filter((entry) => entry.isFile() && entry.name !== "offline.js")
@@ -80,6 +90,7 @@ if (isHere) {
   await mkdir(join(out, "data"), { recursive: true });
   await writeFile(join(out, "data/robots.json"), JSON.stringify(await robots()));
   await writeFile(join(out, "data/examples.json"), JSON.stringify(await examples()));
+  await writeFile(join(out, "data/course.json"), JSON.stringify(await exercises()));
   await bundleOffline();
 }
 

@@ -22,7 +22,7 @@ after(async () => {
 /** Opens the page with this setup, and calls `act` with it and a function that runs a program: to its end, or only starts it. */
 const withProgram = async (shared, act, options = {}) => withRobot(url + (await fragmentOf(shared)), async (page) => {
   const start = (text) => page.evaluate((program) => {
-    window.xr3.program.text = program;
+    window.xr3.program.store.setText(program);
     window.xr3.program.run();
   }, text);
   const end = async () => {
@@ -69,7 +69,7 @@ test("goals are judged as xr3 exec judges them, also after another run", { skip:
   await run("import xr3\nwith xr3.Robot() as robot:\n    robot.move('F', 9)\n    robot.wait('F')");
   await page.waitForFunction(() => /^\d+ of \d+ points/.test(document.querySelector("#program-goals").textContent));
   assert.match(await page.textContent("#program-goals"), new RegExp(`^0 of ${native.max_points} points`));
-  await page.evaluate((text) => (window.xr3.program.text = text), readFileSync(`${root}clients/python/${name}`, "utf8"));
+  await page.evaluate((text) => window.xr3.program.store.setText(text), readFileSync(`${root}clients/python/${name}`, "utf8"));
   await page.click("#program-anew");
   assert.equal((await end()).state, "Ended");
   await page.waitForFunction((points) => document.querySelector("#program-goals").textContent.startsWith(`${points} of`), native.points);

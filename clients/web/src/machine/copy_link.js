@@ -5,7 +5,7 @@ import { sharedHere } from "../lib/here.js";
 import { fragmentOf, kMaxLink } from "./share.js";
 
 /**
- * @param {{getModel: () => Promise<any>, getFirst: () => any, getProgram: () => string, showMessage: (text: string) => void, onError: (error: unknown) => void}} parts
+ * @param {{getModel: () => Promise<any>, getFirst: () => any, getProgram: () => import("./share.js").Shared["program"], showMessage: (text: string) => void, onError: (error: unknown) => void}} parts
  *   `getFirst`: the model with which the page began
  */
 export function connectCopyLink({ getModel, getFirst, getProgram, showMessage, onError }) {
@@ -20,10 +20,10 @@ export function connectCopyLink({ getModel, getFirst, getProgram, showMessage, o
   };
 }
 
-/** Returns what happened. @param {{workcell: object}} model @param {{workcell: object}} first @param {string} program */
+/** Returns what happened. @param {{workcell: object}} model @param {{workcell: object}} first @param {import("./share.js").Shared["program"]} program */
 async function copy({ workcell }, first, program) {
   const shared = { ...(await sharedHere()), program };
-  const now = isSame(workcell, first.workcell) ? shared : { ...shared, workcell: JSON.stringify(workcell) };
+  const now = isSame(workcell, first.workcell) ? shared : { ...shared, ...(shared.exercise || shared.vary ? { vary: "" } : {}), workcell: JSON.stringify(workcell) };
   const link = location.origin + location.pathname + (await fragmentOf(now));
   if (link.length > kMaxLink)
     return `A link to this would have ${link.length} characters, and some programs cut links beyond ${kMaxLink}. Save workcell and program as files instead.`;

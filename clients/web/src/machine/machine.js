@@ -1,6 +1,8 @@
 // @ts-check
 // The page's side of a robot without a server: starts the worker in which the robot lives, carries the messages of its monitor as a
 // WebSocket does (lib/connection.js), and runs programs.
+import { textAt } from "../lib/text_at.js";
+import { setupOfExercise } from "./exercise.js";
 
 /** @typedef {import("./share.js").Shared} Shared */
 
@@ -11,27 +13,21 @@ const kUsual = "rhino-xr3";
  * The setup of a robot, as in wasm/setup.hpp: names of files become their contents. Rejects with an Error for the user.
  * @param {Shared} shared
  */
-export async function setupOf(shared) {
+export async function setupOf({ exercise, ...own }) {
+  const shared = exercise ? { ...(await setupOfExercise(exercise)), ...own } : own;
   const robot = shared.robot ?? kUsual;
   const workcell = shared.workcell ?? (isName(robot) ? robot : "");
-  const { program: _, ...files } = shared;
+  const { program: _, ...files } = /** @type {Shared} */ (shared);
   const setup = /** @type {Record<string, string>} */ ({ product: `xr3 ${XR3_VERSION}`, ...files, robot, workcell });
   for (const [member, folder] of Object.entries(kFolders))
-    if (isName(setup[member])) setup[member] = await contentsOf(`data/${folder}/${setup[member]}.json`);
+    if (isName(setup[member])) setup[member] = await textAt(`data/${folder}/${setup[member]}.json`);
   return setup;
 }
 
 /** Whether it is the name of a file of the page, not the contents of one. @param {string | undefined} text */
 const isName = (text) => /^[\w-]+$/.test(text ?? "");
 
-/** @param {string} path */
-async function contentsOf(path) {
-  const response = await fetch(path);
-  if (!response.ok) throw new Error(`This page has no file ${path} (${response.status} ${response.statusText}).`);
-  return response.text();
-}
-
-/** @typedef {{files: Record<string, string>, name: string}} Program */
+/** @typedef {import("../program/program_files.js").Program} Program */
 /**
  * Called with the worker's messages about a program; worker.js describes them.
  * @typedef {{python: (state: string) => void, output: (part: {stream: string, text: string}) => void, asks: (prompt: string) => void,

@@ -1,37 +1,44 @@
 // @ts-check
 // The panel Program: an editor, Run and Stop, what the program prints, and its goals. The program runs beside the robot, in the
-// worker. Its text is kept in the browser.
+// worker. Its files are kept in the browser.
 import { byId, el, setText } from "../lib/dom.js";
 import { recall, remember } from "../lib/memory.js";
+import { connectExamples } from "./examples_menu.js";
+import { FileTabs } from "./file_tabs.js";
 import { ProgramOutput } from "./output.js";
+import { programOf, troubleOfFiles } from "./program_files.js";
+import { ProgramStore } from "./program_store.js";
 
 /** @typedef {import("../machine/machine.js").Machine} Machine */
-/** @typedef {{name: string, title: string}} Example */
+/** @typedef {import("./program_files.js").Program} Program */
 
-const kName = "main.py";
 const kStopped = new Set([130, 137]); // at a call; with its worker
 const kWide = matchMedia("(min-width: 1200px) and (min-height: 701px)");
-const kFirst = `import xr3
+const kFirst = programOf(`import xr3
 
 with xr3.Robot() as robot:
     robot.move("E", 50)
     robot.wait("E")
     print("The shoulder has moved.")
-`;
+`);
 
 export class ProgramPanel {
   /**
-   * @param {{machine: Machine, given: Promise<string | undefined>, showError: (error: unknown) => void, openTab: () => void}} parts
-   *   `given`: a program that came with a link; it is shown and not run, and the kept one is not lost until somebody edits
+   * @param {{machine: Machine, given: Promise<{program?: Program, origin: string}>, showError: (error: unknown) => void, openTab: () => void,
+   *   offer: (text: string, action?: {name: string, act: () => void}) => void}} parts
+   *   `given`: a program that came with a link, and that link; it is shown and not run
    */
-  constructor({ machine, given, showError, openTab }) {
+  constructor({ machine, given, showError, openTab, offer }) {
     this.machine = machine;
     this.showError = showError;
     this.openTab = openTab;
     this.panel = byId("program-panel");
-    this.text = /** @type {string} */ (recall("program", kFirst));
-    this.given = given.then((text) => (this.text = text ?? this.text)).catch(() => {}); // the page says that the link is damaged
-    this.output = new ProgramOutput(byId("program-output"), kName, (line) => this.editor?.goTo(line));
+    this.offer = offer;
+    this.store = new ProgramStore(kFirst, `xr3.program ${location.pathname}${location.search}`);
+    this.tabs = new FileTabs({ store: this.store, panel: this.panel, onShow: () => this.#shown(), offer });
+    this.given = given.then((its) => its.program && this.#take(its.program, its.origin)).catch(() => {}); // the page says that the link is damaged
+    connectExamples({ store: this.store, onProgram: () => this.#refresh(), offer, showError });
+    this.output = new ProgramOutput(byId("program-output"), (name) => Boolean(this.store.file(name)), (name, line) => this.#goTo(name, line));
     machine.listener = {
       python: (state) => this.#setState(state === "loading" ? "Python is being loaded (13 MB, once)" : "Running"),
       output: ({ stream, text }) => this.output.add(stream, text),
@@ -48,7 +55,6 @@ export class ProgramPanel {
     byId("program-clear").onclick = () => this.output.clear();
     byId("program-ask").onsubmit = (/** @type {Event} */ event) => this.#answer(event);
     byId("program-button").onclick = () => this.#setOpen(byId("program-side").hidden);
-    this.#fillExamples().catch(showError);
     kWide.addEventListener("change", () => this.#place());
     this.#place();
   }
@@ -88,29 +94,57 @@ export class ProgramPanel {
     try {
       await this.given;
       const { openEditor } = await import(/* not in this bundle */ `${new URL("assets/editor.js", document.baseURI)}`);
-      this.editor = openEditor(byId("program-editor"), this.text, { onChange: (/** @type {string} */ text) => this.#keep(text), onRun: () => this.run() });
+      this.editor = openEditor(byId("program-editor"), { onChange: (/** @type {string} */ text) => this.#keep(text), onRun: () => this.run() });
+      this.editor.show(this.store.shown);
     } catch (error) {
       this.opening = false;
       this.showError(error);
     }
   }
 
-  /** @param {string} text */
-  #keep(text) {
-    this.text = text;
-    remember("program", text);
+  // --- Its files.
+
+  /** @param {Program} program of a link @param {string} origin */
+  #take(program, origin) {
+    const isOwn = this.store.takeGiven(program, origin);
+    this.#refresh();
+    if (!isOwn) return;
+    const act = () => {
+      this.store.replace(program, origin);
+      this.#refresh();
+    };
+    this.offer("This is the program as you left it, not as the link has it.", { name: "Show the link's", act });
   }
 
-  async #fillExamples() {
-    const response = await fetch("data/examples.json");
-    const examples = /** @type {Example[]} */ (response.ok ? await response.json() : []);
-    const select = byId("program-example");
-    select.append(...examples.map(({ name, title }) => el("option", { value: name }, title)));
-    select.onchange = async () => {
-      const text = await (await fetch(`data/examples/${select.value}`)).text();
-      select.value = "";
-      this.editor?.setText(text);
-    };
+  /** Another program is there. */
+  #refresh() {
+    this.tabs.show();
+    this.#shown();
+  }
+
+  #shown() {
+    this.editor?.show(this.store.shown);
+    this.#note();
+  }
+
+  /** @param {string} text */
+  #keep(text) {
+    this.store.setText(text);
+    this.#note();
+  }
+
+  /** Tells that the program is too large, or not kept. */
+  #note() {
+    const { files, isEdited, isKept } = this.store;
+    const trouble = troubleOfFiles(files);
+    byId("program-note").hidden = trouble === "" && (isKept || !isEdited);
+    setText(byId("program-note"), trouble ? `${trouble} It is not kept.` : "This browser keeps no programs: save yours as a file (File, Save).");
+  }
+
+  /** @param {string} name @param {number} line */
+  #goTo(name, line) {
+    this.tabs.choose(name);
+    this.editor?.goTo(line);
   }
 
   // --- Running.
@@ -123,7 +157,7 @@ export class ProgramPanel {
     this.#setState("Running");
     byId("program-goals").hidden = true;
     this.#allow();
-    this.machine.run({ files: { [kName]: this.text }, name: kName });
+    this.machine.run(this.store.program);
   }
 
   stop() {
