@@ -35,7 +35,7 @@ export class ProgramTime {
 
   /** To be called in each call of the program: time passes. Throws Stopped if it must end. */
   touch() {
-    if (this.isStopped) throw new Stopped("stopped");
+    if (this.isStopped || this.robot.isTimeUp) throw new Stopped("stopped");
     const now = performance.now();
     const { clock } = this.robot;
     if (clock === "real") this.robot.catchUp();
