@@ -7,12 +7,12 @@ const kMembers = ["robot", "workcell", "faults", "clock", "vary", "goals"];
 
 const folderOf = (/** @type {string} */ name) => `data/course/${encodeURIComponent(name)}`;
 
-/** Its part of a setup, in which the names of its own files have become their contents. @param {string} name @returns {Promise<Record<string, string>>} */
+/** Its part of a setup, with the clock of `xr3 exec` if it names none; the names of its own files have become their contents. @param {string} name @returns {Promise<Record<string, string>>} */
 export async function setupOfExercise(name) {
   const exercise = JSON.parse(await textAt(`${folderOf(name)}/exercise.json`));
   const members = kMembers.filter((member) => member in exercise);
   const contents = (/** @type {string} */ value) => (value.endsWith(".json") ? textAt(`${folderOf(name)}/${value}`) : value);
-  return Object.fromEntries(await Promise.all(members.map(async (member) => [member, await contents(exercise[member])])));
+  return { clock: "bytes", ...Object.fromEntries(await Promise.all(members.map(async (member) => [member, await contents(exercise[member])]))) };
 }
 
 /** @returns {Promise<{name: string, title: string, starter: string}[]>} */
