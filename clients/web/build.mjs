@@ -52,6 +52,13 @@ async function exercises() {
   }));
 }
 
+/** The bytes that come by fetch() when Python is loaded; scripts are imported. */
+async function pythonBytes() {
+  const files = (await readdir(join(out, "python"))).filter((name) => /\.(wasm|zip|json)$/.test(name));
+  const sizes = await Promise.all(files.map(async (name) => (await stat(join(out, "python", name))).size));
+  return sizes.reduce((sum, size) => sum + size, 0);
+}
+
 /** The service worker, last, since it knows all other files of the folder. */
 async function bundleOffline() {
   const names = (await readdir(out, { recursive: true, withFileTypes: true })).filter((entry) => entry.isFile() && entry.name !== "offline.js")
@@ -76,7 +83,7 @@ await build({
   target: "es2022",
   legalComments: "none",
   logLevel: "warning",
-  define: { XR3_VERSION: JSON.stringify(version) },
+  define: { XR3_VERSION: JSON.stringify(version), ...(isHere ? { XR3_PYTHON_BYTES: String(await pythonBytes()) } : {}) },
 });
 const html = await readFile(path("src/index.html"), "utf8");
 await writeFile(join(out, "index.html"), isHere ? forHere(html) : html);

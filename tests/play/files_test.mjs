@@ -152,3 +152,21 @@ test("files are opened, dropped and saved; one that is too large is refused in p
   const [saved] = await Promise.all([page.waitForEvent("download"), page.click("#file-menu button:has-text('Save arm.py')")]);
   assert.deepEqual([saved.suggestedFilename(), await readFile(await saved.path(), "utf8")], ["arm.py", "reach = 7"]);
 }));
+
+test("an exercise begins after a question, with its robot, goals and program; an example only with its program", () => withPanel(async (page) => {
+  await choose(page, "examples", "2. Move and wait");
+  await shows(page, "Move and wait");
+  await write(page, "\n# mine");
+  await choose(page, "examples", "5 Speeds and two joints");
+  await page.click("dialog button:has-text('Cancel')");
+  assert.match(await shown(page), /# mine/);
+  await choose(page, "examples", "5 Speeds and two joints");
+  await page.click("dialog button:has-text('Begin the exercise')");
+  await page.waitForFunction(() => window.xr3?.known?.model?.robot.name === "Adept One");
+  await editor(page);
+  await shows(page, "Exercise 5");
+  assert.deepEqual(await tabs(page), ["speeds.py*"]);
+  assert.equal(await page.evaluate(() => window.xr3.judge().then(({ max_points: most }) => most)), 13);
+  await choose(page, "examples", "Move and wait");
+  await shows(page, "# mine");
+}));

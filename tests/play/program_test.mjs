@@ -87,6 +87,22 @@ test("the recording of the page is repeated by xr3 replay, with nothing differen
   assert.equal(done.status, 0);
 }));
 
+test("while Python comes, a bar shows how much of it, until all has come", () => withProgram({}, async (page, { run }) => {
+  await page.evaluate(() => {
+    window.seen = [];
+    const note = () => window.seen.push([document.querySelector("#python-bytes").textContent, document.querySelector("#python-progress").value]);
+    new MutationObserver(note).observe(document.querySelector("#python-bytes"), { childList: true });
+  });
+  assert.equal((await run("print('runs')")).output, "runs");
+  const seen = await page.evaluate(() => window.seen);
+  const of = await page.evaluate(() => document.querySelector("#python-progress").max);
+  assert.match(seen[0][0], /^Python: 0\.0 of 1\d\.\d MB$/);
+  assert.ok(seen.length > 10, JSON.stringify(seen));
+  assert.deepEqual(seen.map(([, bytes]) => bytes), seen.map(([, bytes]) => bytes).sort((a, b) => a - b));
+  assert.deepEqual(seen.at(-1), ["Python starts", of]);
+  assert.equal(await page.isHidden("#python-loading"), true);
+}));
+
 test("a traceback leads to its line; the next run begins anew; input() asks; the robot's time is the program's", () => withProgram({}, async (page, { start, end, run }) => {
   const { state, output } = await run("x = 1\n\ndef f():\n    y = undefined_name\nf()\n");
   assert.equal(state, "Ended with exit code 1");

@@ -1,5 +1,6 @@
 // @ts-check
 // Python in the worker: Pyodide, with the package xr3_page in place of sockets and clocks, and the package xr3.
+import { countFetched } from "./counted_fetch.js";
 import { lockWorker } from "./lock.js";
 
 /** @typedef {import("./program_robot.js").ProgramRobot} ProgramRobot */
@@ -16,8 +17,10 @@ export class Python {
   /**
    * Loads Python from a folder, and locks the worker.
    * @param {string} folder its URL @param {(stream: "stdout" | "stderr", text: string) => void} print
+   * @param {(bytes: number) => void} onBytes called with the number of bytes, of XR3_PYTHON_BYTES, that have come
    */
-  static async load(folder, print) {
+  static async load(folder, print, onBytes) {
+    countFetched(onBytes); // until the worker is locked
     const { loadPyodide } = await import(`${folder}pyodide.mjs`);
     const pyodide = await loadPyodide({ indexURL: folder });
     for (const stream of /** @type {const} */ (["stdout", "stderr"])) pyodide[stream === "stdout" ? "setStdout" : "setStderr"](writer(stream, print));

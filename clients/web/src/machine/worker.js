@@ -6,7 +6,7 @@
 //   {message}    the text of a message from the monitor
 //   {recording}  what the recording has got; {tick} the time
 //   {anew}       what comes is of another robot
-//   {python}     "loading" or "ready"
+//   {python}     "loading", with {bytes} of {of} that have come, or "ready"
 //   {output}     {stream, text} of the program; {asks} what it asks the user
 //   {beat}       a number that the page sends back
 //   {ended}      the exit code of the program, and whether each goal is met
@@ -23,7 +23,7 @@ import { Robot } from "./robot.js";
 
 const kFrameMs = 16;
 const kRestMs = 100; // between two looks while nothing moves
-const kLoadMs = 60_000;
+const kSilentMs = 60_000; // without a byte while Python is loaded
 
 const post = self.postMessage.bind(self);
 /** @type {(now: () => number) => Robot} */
@@ -94,10 +94,17 @@ function request(text) {
 
 function loadPython() {
   if (python) return python;
-  post({ python: "loading" });
-  const loading = Python.load(folder, (stream, text) => post({ output: { stream, text } }));
-  const late = new Promise((_, reject) => setTimeout(() => reject(new Error("Python could not be loaded within a minute: is the network slow or gone?")), kLoadMs));
-  python = Promise.race([loading, late]);
+  python = new Promise((resolve, reject) => {
+    const silent = () => reject(new Error("Python could not be loaded: for a minute nothing has come. Is the network gone?"));
+    let watch = setTimeout(silent, kSilentMs);
+    const came = (/** @type {number} */ bytes) => {
+      clearTimeout(watch);
+      watch = setTimeout(silent, kSilentMs);
+      post({ python: "loading", bytes, of: XR3_PYTHON_BYTES });
+    };
+    came(0);
+    Python.load(folder, (stream, text) => post({ output: { stream, text } }), came).then(resolve, reject).finally(() => clearTimeout(watch));
+  });
   return python;
 }
 

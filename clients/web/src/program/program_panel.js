@@ -40,7 +40,7 @@ export class ProgramPanel {
     connectExamples({ store: this.store, onProgram: () => this.#refresh(), offer, showError });
     this.output = new ProgramOutput(byId("program-output"), (name) => Boolean(this.store.file(name)), (name, line) => this.#goTo(name, line));
     machine.listener = {
-      python: (state) => this.#setState(state === "loading" ? "Python is being loaded (13 MB, once)" : "Running"),
+      python: (state, loaded) => this.#showPython(state, loaded),
       output: ({ stream, text }) => this.output.add(stream, text),
       asks: (prompt) => this.#ask(prompt),
       ended: (end) => this.#ended(end),
@@ -157,7 +157,7 @@ export class ProgramPanel {
     this.#setState("Running");
     byId("program-goals").hidden = true;
     this.#allow();
-    this.machine.run(this.store.program);
+    this.given.then(() => this.machine.run(this.store.program));
   }
 
   stop() {
@@ -177,9 +177,10 @@ export class ProgramPanel {
 
   /** What `xr3 exec` would say of the run. @param {string} why why the program failed, or "" */
   async #showVerdict(why) {
-    const { points, max_points: most, goals, not_counted: uncounted } = await this.machine.judge(why);
+    const { points, max_points: most, goals, not_counted: uncounted, outcome, why: reason } = await this.machine.judge(why);
     const items = goals.map((/** @type {any} */ { met, expected, found, hint }) => el(met ? "li.met" : "li", {}, `${met ? "✓" : "✗"} ${expected}`,
       ...(met ? [] : [el("span.hint", {}, ` ${found}. ${hint}`)])));
+    if (outcome === "time_up") this.#setState(`Stopped: ${reason}. Reset and run begins anew`);
     const rest = uncounted ? [el("p.hint", {}, `Not counted: ${uncounted}.`)] : [];
     byId("program-goals").replaceChildren(el("p", {}, el("b", {}, `${points} of ${most} points`)), el("ul", {}, ...items), ...rest);
     byId("program-goals").hidden = false;
@@ -195,8 +196,19 @@ export class ProgramPanel {
   #over(state) {
     this.isRunning = false;
     byId("program-ask").hidden = true;
+    byId("python-loading").hidden = true;
     this.#setState(state);
     this.#allow();
+  }
+
+  /** @param {string} state @param {{bytes: number, of: number}} loaded */
+  #showPython(state, { bytes, of }) {
+    byId("python-loading").hidden = state !== "loading";
+    if (state !== "loading") return this.#setState("Running");
+    this.#setState("Python is being loaded");
+    Object.assign(byId("python-progress"), { value: bytes, max: of });
+    const mb = (/** @type {number} */ count) => (count / 1e6).toFixed(1);
+    setText(byId("python-bytes"), bytes < of ? `Python: ${mb(bytes)} of ${mb(of)} MB` : "Python starts");
   }
 
   /** @param {string} text */
