@@ -158,15 +158,15 @@ test("an exercise begins after a question, with its robot, goals and program; an
   await shows(page, "Move and wait");
   await write(page, "\n# mine");
   await choose(page, "examples", "5 Speeds and two joints");
-  await page.click("dialog button:has-text('Cancel')");
+  await page.click("dialog[open] button:has-text('Cancel')");
   assert.match(await shown(page), /# mine/);
   await choose(page, "examples", "5 Speeds and two joints");
-  await page.click("dialog button:has-text('Begin the exercise')");
+  await page.click("dialog[open] button:has-text('Begin the exercise')");
   await page.waitForFunction(() => window.xr3?.known?.model?.robot.name === "Adept One");
   await editor(page);
   await shows(page, "Exercise 5");
   assert.deepEqual(await tabs(page), ["speeds.py*"]);
   assert.equal(await page.evaluate(() => window.xr3.judge().then(({ max_points: most }) => most)), 13);
   await choose(page, "examples", "Move and wait");
-  await shows(page, "# mine");
+  await page.waitForFunction(() => window.xr3.program.store.shown.text.endsWith("# mine"));
 }));
