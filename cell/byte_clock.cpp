@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cassert>
+#include <stdexcept>
+#include <string_view>
 #include <utility>
 
 #include "core/motor.hpp"
+#include "protocol/text/whole_number.hpp"
 
 namespace xr3 {
 namespace {
@@ -74,6 +77,33 @@ void ByteClock::restart() {
   remainder_ = owed_ = 0;
   commanded_ = 0;
   is_reported_ = false;
+}
+
+ByteClockSettings parse_byte_clock(const std::string& text) {
+  constexpr std::string_view kName = "bytes";
+  ByteClockSettings settings;
+  if (text == kName) return settings;
+  constexpr std::string_view kSettle = "settle=";
+  using Limits = ByteClockSettings;
+  const std::string_view rules = std::string_view(text).substr(kName.size() + 1);
+  const std::size_t comma = rules.find(',');
+  const auto inquiry = whole_number<std::int64_t>(rules.substr(0, comma), 0, Limits::kMaxInquiryMs);
+  bool is_good = inquiry.has_value();
+  if (comma != std::string_view::npos) {
+    const std::string_view rest = rules.substr(comma + 1);
+    if (rest.starts_with(kSettle))
+      settings.settle_ms = whole_number<std::int64_t>(rest.substr(kSettle.size()),
+                                                      Limits::kMinSettleMs, Limits::kMaxSettleMs);
+    is_good = is_good && settings.settle_ms;
+  }
+  if (!is_good) {
+    throw std::invalid_argument(
+        text + ": the byte clock is bytes:INQUIRY_MS, 0..." +
+        std::to_string(Limits::kMaxInquiryMs) + ", or bytes:INQUIRY_MS,settle=MS, " +
+        std::to_string(Limits::kMinSettleMs) + "..." + std::to_string(Limits::kMaxSettleMs));
+  }
+  settings.inquiry_ms = *inquiry;
+  return settings;
 }
 
 bool is_quicker_than_a_count(const ByteClock& clock, const Model& model) {

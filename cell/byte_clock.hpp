@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "core/command.hpp"
@@ -72,6 +73,10 @@ class ByteClock {
   std::uint32_t commanded_ = 0;  ///< bit i: motor i has had a motion command since the last inquiry
   bool is_reported_ = false;     ///< the run of hurried commands
 };
+
+/// Parses `bytes` or `bytes:INQUIRY_MS[,settle=MS]`. Throws std::invalid_argument, with the allowed
+/// form. Precondition: the text is `bytes`, or begins with `bytes:`.
+ByteClockSettings parse_byte_clock(const std::string& text);
 
 /// Whether a motor of this model is so slow that two inquiries in a row may find the same count
 /// although it moves: a program that compares them takes it for stuck.

@@ -141,6 +141,8 @@ XR3_EXPORT void xr3_take_recording(PageRobot* robot) { last_text = robot->take_r
 XR3_EXPORT void xr3_goals(const PageRobot* robot) {
   last_text = nlohmann::json(robot->goals_now()).dump();
 }
+/// Whether a program has had all of the simulated time that it may have.
+XR3_EXPORT int xr3_is_time_up(const PageRobot* robot) { return robot->is_time_up() ? 1 : 0; }
 /// The report of a run. `why`: why the program failed; empty if it ended well.
 XR3_EXPORT int xr3_finish(PageRobot* robot, const char* why, std::size_t size) {
   return guarded([&] {

@@ -4,11 +4,11 @@
 #include <stdexcept>
 #include <utility>
 
-#include "cell/digest.hpp"
 #include "cell/judge/passive.hpp"
 #include "cell/recording/replayer.hpp"
 #include "cell/recording/state_hash.hpp"
 #include "protocol/goals/credit.hpp"
+#include "protocol/goals/goal_text.hpp"
 #include "protocol/goals/judge.hpp"
 #include "protocol/recording/reader.hpp"
 
@@ -36,6 +36,8 @@ PageRobot::PageRobot(PageSetup setup)
       history_(*cell_, kHistory, memory_),
       observer_(*cell_, setup_.goals) {
   cell_->observe(recorder_);
+  if (setup_.header.mode == ClockMode::kBytes && !setup_.goals.goals.empty())
+    limit_.emplace(*cell_, observer_, kUsualSimLimit);
 }
 
 // --- Time.
@@ -157,21 +159,25 @@ std::vector<bool> PageRobot::goals_now() const {
 
 RunReport PageRobot::finish(std::string failure) {
   pause();
-  cell_->apply(Input{call::Call{call::RunUntil{std::nullopt, kRestLimit}}}, wall_);
+  const Tick rest = limit_ ? limit_->left(kRestLimit) : kRestLimit;
+  cell_->apply(Input{call::Call{call::RunUntil{std::nullopt, rest}}}, wall_);
   end_recording();
-  const RunFacts facts = observer_.facts();
+  JudgedMoment end = is_time_up() ? *limit_->moment() : moment_of(*cell_, observer_);
   RunReport report;
   report.outcome = failure.empty() ? RunOutcome::kFinished : RunOutcome::kFailed;
   report.why = std::move(failure);
-  report.ticks = cell_->state().tick;
-  report.bytes = facts.bytes;
-  if (const Transcript* transcript = cell_->transcript())
-    report.transcript = transcript_digest(transcript->summary(), cell_->model(), cell_->state(),
-                                          cell_->clock_remainder());
-  report.goals = judge(setup_.goals, cell_->model(), cell_->state(), facts);
+  if (is_time_up()) {
+    report.outcome = RunOutcome::kTimeUp;
+    report.why = "the limit of " + seconds_text(kUsualSimLimit) + " simulated seconds was reached";
+  }
+  report.ticks = end.state.tick;
+  report.bytes = end.facts.bytes;
+  report.seed = setup_.seed;
+  report.transcript = std::move(end.transcript);
+  report.goals = judge(setup_.goals, cell_->model(), end.state, end.facts);
   const std::vector<bool> passive =
       passive_goals(setup_.goals, setup_.header.model, setup_.header.faults);
-  report.not_counted = withhold(report.goals, setup_.goals, passive, report.outcome, facts);
+  report.not_counted = withhold(report.goals, setup_.goals, passive, report.outcome, end.facts);
   return report;
 }
 

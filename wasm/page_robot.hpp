@@ -17,6 +17,7 @@
 
 #include "cell/history/history.hpp"
 #include "cell/judge/run_observer.hpp"
+#include "cell/judge/sim_limit.hpp"
 #include "cell/recording/recorder.hpp"
 #include "protocol/recording/writer.hpp"
 #include "service/cell_monitor.hpp"
@@ -83,6 +84,9 @@ class PageRobot {
   void end_recording();
   /// Whether each goal is met now; empty without goals.
   std::vector<bool> goals_now() const;
+  /// Whether a program has had the simulated time that `xr3 exec` gives it; only with goals and the
+  /// byte clock.
+  bool is_time_up() const { return limit_ && limit_->moment(); }
   /// Ends the run as `xr3 exec` does: the robot comes to rest, the recording ends, and the goals
   /// are judged. `failure`: why the program failed; empty if it ended well. The report has no name,
   /// no wall time and no picture.
@@ -101,6 +105,7 @@ class PageRobot {
   Recorder recorder_;
   History history_;
   RunObserver observer_;
+  std::optional<SimLimit> limit_;
   std::vector<std::unique_ptr<service::CellMonitor>> monitors_;
   bool is_recording_ = true;
 };

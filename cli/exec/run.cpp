@@ -10,12 +10,12 @@
 #include <utility>
 
 #include "cell/judge/passive.hpp"
+#include "cell/judge/sim_limit.hpp"
 #include "cli/exec/descendants.hpp"
 #include "cli/exec/kept_output.hpp"
 #include "cli/exec/run_folder.hpp"
 #include "cli/exec/sandbox.hpp"
 #include "cli/exec/script.hpp"
-#include "cli/exec/sim_limit.hpp"
 #include "cli/exec/throw_errno.hpp"
 #include "cli/exec/transcript_text.hpp"
 #include "cli/exec/usage.hpp"

@@ -7,10 +7,10 @@
 // (program.hpp, launch.hpp) as the chosen user. A sandbox adds bubblewrap (sandbox.hpp), a network
 // with only the robot (private_network.hpp) and a filter of system calls (system_calls.hpp). One
 // event loop serves robot and program, keeps the output (kept_output.hpp) and checks the limits:
-// wall time, simulated time (sim_limit.hpp), bytes, memory and processes (usage.hpp). At the end or
-// at a limit all descendants are ended (descendants.hpp), arrived bytes are executed, the robot
-// moves to rest, and the goals are judged. The result is a RunReport for tools/report, and the
-// transcript (transcript_text.hpp).
+// wall time, simulated time (cell/judge/sim_limit.hpp), bytes, memory and processes (usage.hpp). At
+// the end or at a limit all descendants are ended (descendants.hpp), arrived bytes are executed,
+// the robot moves to rest, and the goals are judged. The result is a RunReport for tools/report,
+// and the transcript (transcript_text.hpp).
 #pragma once
 
 #include <cstdint>

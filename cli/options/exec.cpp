@@ -20,20 +20,6 @@ MonitorAccess monitor_named(const std::string& name) {
   return name == "read" ? MonitorAccess::kRead : MonitorAccess::kControl;
 }
 
-/// Removes a number from the beginning of a text and returns it; nullopt if there is none, or it is
-/// out of range.
-std::optional<double> take_number(std::string& text, double most) {
-  std::size_t end = 0;
-  double number = 0;
-  try {
-    number = std::stod(text, &end);
-  } catch (const std::exception&) {
-    return std::nullopt;
-  }
-  text.erase(0, end);
-  return number >= 0 && number <= most ? std::optional(number) : std::nullopt;
-}
-
 void add_limits(CLI::App& command, RunLimits& limits) {
   command
       .add_option_function<double>(
@@ -125,32 +111,6 @@ void add_sandbox_of_grade(CLI::App& command, ExecOptions& options) {
 }
 
 }  // namespace
-
-Variation parse_variation(const std::string& text) {
-  constexpr double kMaxSeed = 9'007'199'254'740'991;
-  constexpr double kMaxMm = 1e5;
-  constexpr double kMaxDeg = 180;
-  Variation variation;
-  std::string rest = text;
-  const auto seed = take_number(rest, kMaxSeed);
-  bool is_good = seed && *seed == std::floor(*seed);
-  if (is_good) variation.seed = static_cast<std::uint64_t>(*seed);
-  if (is_good && rest.starts_with(':')) {
-    rest.erase(0, 1);
-    const auto mm = take_number(rest, kMaxMm);
-    is_good = mm.has_value();
-    if (mm) variation.most_um = micrometres(*mm);
-    if (is_good && rest.starts_with(',')) {
-      rest.erase(0, 1);
-      const auto degrees = take_number(rest, kMaxDeg);
-      is_good = degrees.has_value();
-      if (degrees) variation.most_udeg = microdegrees(*degrees);
-    }
-  }
-  if (is_good && rest.empty()) return variation;
-  throw std::invalid_argument(
-      text + ": a variation is a seed, mm and degrees such as 7, 7:40 or 7:40,180");
-}
 
 void add_exec(CLI::App& app, ExecOptions& options, ServeOptions& server) {
   CLI::App& exec = *app.add_subcommand(

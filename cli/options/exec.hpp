@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cell/judge/sim_limit.hpp"
 #include "cli/options/cli_fwd.hpp"
 #include "core/units.hpp"
 #include "protocol/goals/vary.hpp"
@@ -26,7 +27,7 @@ enum class MonitorAccess : std::uint8_t {
 
 /// Limits of a run; 0 for none.
 struct RunLimits {
-  Tick sim_ticks = 600 * kTickHz;
+  Tick sim_ticks = kUsualSimLimit;
   double wall_s = 60;
   std::uint64_t bytes = 0;       ///< number sent by the program
   std::size_t memory_mib = 512;  ///< memory of all its processes, and of its files in the sandbox
@@ -67,8 +68,5 @@ struct GradeOptions {
 /// submission.
 void add_exec(CLI::App& app, ExecOptions& options, ServeOptions& server);
 void add_grade(CLI::App& app, GradeOptions& options, ExecOptions& exec, ServeOptions& server);
-
-/// Parses `SEED`, `SEED:MM` or `SEED:MM,DEG`. Throws std::invalid_argument, with the allowed form.
-Variation parse_variation(const std::string& text);
 
 }  // namespace xr3

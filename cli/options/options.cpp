@@ -144,32 +144,6 @@ Leave leave(const CLI::App& app, const CLI::ParseError& error,
   return {ExitCode::kGood, out.str(), err.str()};
 }
 
-/// Parses `INQUIRY_MS[,settle=MS]`, which begins at `from`.
-ByteClockSettings parse_byte_clock(const std::string& text, std::size_t from) {
-  constexpr std::string_view kSettle = "settle=";
-  using Limits = ByteClockSettings;
-  const std::string_view rules = std::string_view(text).substr(from);
-  const std::size_t comma = rules.find(',');
-  const auto inquiry = whole_number<std::int64_t>(rules.substr(0, comma), 0, Limits::kMaxInquiryMs);
-  ByteClockSettings settings;
-  bool is_good = inquiry.has_value();
-  if (comma != std::string_view::npos) {
-    const std::string_view rest = rules.substr(comma + 1);
-    if (rest.starts_with(kSettle))
-      settings.settle_ms = whole_number<std::int64_t>(rest.substr(kSettle.size()),
-                                                      Limits::kMinSettleMs, Limits::kMaxSettleMs);
-    is_good = is_good && settings.settle_ms;
-  }
-  if (!is_good) {
-    throw std::invalid_argument(
-        text + ": the byte clock is bytes:INQUIRY_MS, 0..." +
-        std::to_string(Limits::kMaxInquiryMs) + ", or bytes:INQUIRY_MS,settle=MS, " +
-        std::to_string(Limits::kMinSettleMs) + "..." + std::to_string(Limits::kMaxSettleMs));
-  }
-  settings.inquiry_ms = *inquiry;
-  return settings;
-}
-
 Options checked_manual(const CLI::App& app, const ManualOptions& options) {
   if (!options.folder.empty()) return ManualFiles{options.folder, manual_files(app)};
   return Leave{ExitCode::kGood, manual_page(app, options), ""};
@@ -264,13 +238,11 @@ Tick parse_duration(const std::string& text) {
 }
 
 ClockChoice parse_clock(const std::string& text) {
-  constexpr std::string_view kBytes = "bytes:";
   if (text == "manual") return {ClockMode::kManual, Rate{}, {}};
   if (text == "real") return {ClockMode::kReal, Rate{}, {}};
   if (text.starts_with("real:")) return {ClockMode::kReal, parse_rate(text.substr(5)), {}};
-  if (text == "bytes") return {ClockMode::kBytes, Rate{}, {}};
-  if (text.starts_with(kBytes))
-    return {ClockMode::kBytes, Rate{}, parse_byte_clock(text, kBytes.size())};
+  if (text == "bytes" || text.starts_with("bytes:"))
+    return {ClockMode::kBytes, Rate{}, parse_byte_clock(text)};
   throw std::invalid_argument(text +
                               ": a clock is real, real:FACTOR, manual, or "
                               "bytes[:INQUIRY_MS[,settle=MS]]");

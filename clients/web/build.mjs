@@ -47,6 +47,23 @@ async function examples() {
   return Promise.all(names.map(async (name) => ({ name, title: /^"""([^:]+):/.exec(await readFile(join(out, "data/examples", name), "utf8"))?.[1] ?? name })));
 }
 
+/** The exercises of data/course, with their titles and the programs with which they begin. */
+async function exercises() {
+  const names = (await readdir(join(out, "data/course"))).sort();
+  return Promise.all(names.map(async (name) => {
+    const folder = join(out, "data/course", name);
+    const [starter] = await readdir(join(folder, "starter"));
+    return { name, title: JSON.parse(await readFile(join(folder, "exercise.json"), "utf8")).title, starter };
+  }));
+}
+
+/** The bytes that come by fetch() when Python is loaded; scripts are imported. */
+async function pythonBytes() {
+  const files = (await readdir(join(out, "python"))).filter((name) => /\.(wasm|zip|json)$/.test(name));
+  const sizes = await Promise.all(files.map(async (name) => (await stat(join(out, "python", name))).size));
+  return sizes.reduce((sum, size) => sum + size, 0);
+}
+
 /** The service worker, last, since it knows all other files of the folder but the licences. */
 async function bundleOffline() {
   const names = (await readdir(out, { recursive: true, withFileTypes: true })).filter((entry) => entry.isFile() && entry.name !== "offline.js" && !entry.name.endsWith(".txt"))
@@ -71,7 +88,7 @@ await build({
   target: "es2022",
   legalComments: "none",
   logLevel: "warning",
-  define: { XR3_VERSION: JSON.stringify(version) },
+  define: { XR3_VERSION: JSON.stringify(version), ...(isHere ? { XR3_PYTHON_BYTES: String(await pythonBytes()) } : {}) },
 });
 const html = await readFile(path("src/index.html"), "utf8");
 await writeFile(join(out, "index.html"), isHere ? forHere(html) : html);
@@ -85,6 +102,7 @@ if (isHere) {
   await mkdir(join(out, "data"), { recursive: true });
   await writeFile(join(out, "data/robots.json"), JSON.stringify(await robots()));
   await writeFile(join(out, "data/examples.json"), JSON.stringify(await examples()));
+  await writeFile(join(out, "data/course.json"), JSON.stringify(await exercises()));
   await bundleOffline();
 }
 

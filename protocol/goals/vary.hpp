@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 
 #include "core/robot.hpp"
 #include "core/units.hpp"
@@ -17,6 +18,9 @@ struct Variation {
   Microdegrees most_udeg = 180'000'000;
   bool operator==(const Variation&) const = default;
 };
+
+/// Parses `SEED`, `SEED:MM` or `SEED:MM,DEG`. Throws std::invalid_argument, with the allowed form.
+Variation parse_variation(const std::string& text);
 
 /// The workcell with each block that lies on the work surface moved and turned at random: within
 /// reach of the robot, in the camera's field if there is one, and 5 mm apart from others. A seed

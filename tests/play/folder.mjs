@@ -3,7 +3,7 @@
 import { spawn } from "node:child_process";
 import { once } from "node:events";
 import { join } from "node:path";
-import { ofThePage, open, ready, root } from "../web/bench.mjs";
+import { ofThePage, open, ready, refuseWebGl, root } from "../web/bench.mjs";
 import assert from "node:assert/strict";
 
 export const folder = process.env.XR3_PLAYGROUND ?? join(root, "build/playground");
@@ -23,14 +23,12 @@ export function stopServing() {
 }
 
 /** Opens the page at an address of the folder, and calls `act` with it. No error may be in its console. With `hasClock`, page.clock can
- * let time pass on the page. */
-export async function withRobot(url, act, options = {}) {
-  const { hasClock, ...more } = options;
-  const page = await open(hasClock ? "about:blank" : url, more);
-  if (hasClock) {
-    await page.clock.install();
-    await page.goto(url);
-  }
+ * let time pass on the page. Without `picture`, it draws none in three dimensions, which costs software most. */
+export async function withRobot(url, act, { hasClock = false, picture = true, ...options } = {}) {
+  const page = await open("about:blank", options);
+  if (hasClock) await page.clock.install();
+  if (!picture) await page.addInitScript(refuseWebGl);
+  await page.goto(url);
   try {
     await ready(page);
     await act(page);

@@ -22,7 +22,7 @@ after(async () => {
 /** Opens the page with this setup, and calls `act` with it and a function that runs a program: to its end, or only starts it. */
 const withProgram = async (shared, act, options = {}) => withRobot(url + (await fragmentOf(shared)), async (page) => {
   const start = (text) => page.evaluate((program) => {
-    window.xr3.program.text = program;
+    window.xr3.program.store.setText(program);
     window.xr3.program.run();
   }, text);
   const end = async () => {
@@ -69,7 +69,7 @@ test("goals are judged as xr3 exec judges them, also after another run", { skip:
   await run("import xr3\nwith xr3.Robot() as robot:\n    robot.move('F', 9)\n    robot.wait('F')");
   await page.waitForFunction(() => /^\d+ of \d+ points/.test(document.querySelector("#program-goals").textContent));
   assert.match(await page.textContent("#program-goals"), new RegExp(`^0 of ${native.max_points} points`));
-  await page.evaluate((text) => (window.xr3.program.text = text), readFileSync(`${root}clients/python/${name}`, "utf8"));
+  await page.evaluate((text) => window.xr3.program.store.setText(text), readFileSync(`${root}clients/python/${name}`, "utf8"));
   await page.click("#program-anew");
   assert.equal((await end()).state, "Ended");
   await page.waitForFunction((points) => document.querySelector("#program-goals").textContent.startsWith(`${points} of`), native.points);
@@ -85,6 +85,22 @@ test("the recording of the page is repeated by xr3 replay, with nothing differen
   const done = spawnSync(process.env.XR3, ["replay", await file.path()], { encoding: "utf8" });
   assert.match(done.stderr, /everything is as recorded/);
   assert.equal(done.status, 0);
+}));
+
+test("while Python comes, a bar shows how much of it, until all has come", () => withProgram({}, async (page, { run }) => {
+  await page.evaluate(() => {
+    window.seen = [];
+    const note = () => window.seen.push([document.querySelector("#python-bytes").textContent, document.querySelector("#python-progress").value]);
+    new MutationObserver(note).observe(document.querySelector("#python-bytes"), { childList: true });
+  });
+  assert.equal((await run("print('runs')")).output, "runs");
+  const seen = await page.evaluate(() => window.seen);
+  const of = await page.evaluate(() => document.querySelector("#python-progress").max);
+  assert.match(seen[0][0], /^Python: 0\.0 of 1\d\.\d MB$/);
+  assert.ok(seen.length > 10, JSON.stringify(seen));
+  assert.deepEqual(seen.map(([, bytes]) => bytes), seen.map(([, bytes]) => bytes).sort((a, b) => a - b));
+  assert.deepEqual(seen.at(-1), ["Python starts", of]);
+  assert.equal(await page.isHidden("#python-loading"), true);
 }));
 
 test("a traceback leads to its line; the next run begins anew; input() asks; the robot's time is the program's", () => withProgram({}, async (page, { start, end, run }) => {

@@ -9,6 +9,7 @@
 #include <sstream>
 #include <string>
 
+#include "protocol/goals/vary.hpp"
 #include "tests/support/recorded.hpp"
 
 namespace xr3 {
@@ -226,6 +227,37 @@ TEST(PageRobotTest, JudgesTheGoals) {
   EXPECT_EQ(points_of(failed.goals), 0);
 }
 
+TEST(PageRobotTest, AnInquiryTakesTheTimeOfTheByteClock) {
+  PageRobot robot(rhino_setup({{"clock", "bytes:200"}}));
+  ask(robot, robot.open_line(), "E?");
+  EXPECT_GE(robot.cell().state().tick, 200);
+  EXPECT_LT(robot.cell().state().tick, 220);
+}
+
+TEST(PageRobotTest, ASeedMovesTheBlocks) {
+  const PageSetup moved = rhino_setup({{"vary", "7"}});
+  EXPECT_EQ(moved.seed, 7U);
+  EXPECT_EQ(moved.header.model->workcell(),
+            *varied(rhino_setup().header.model->workcell(), moved.header.model->robot(), {7}));
+  EXPECT_EQ(PageRobot(moved).finish("").seed, 7U);
+}
+
+TEST(PageRobotTest, AProgramHasSixHundredSimulatedSeconds) {
+  const std::string goals = R"({"goals":[{"kind":"joint","label":"F","count":9}]})";
+  PageRobot robot(rhino_setup({{"goals", goals}, {"clock", "bytes:60000"}}));
+  const LineId line = robot.open_line();
+  for (int i = 0; i < 9; ++i) ask(robot, line, "E?");
+  EXPECT_FALSE(robot.is_time_up());
+  ask(robot, line, "E?");
+  EXPECT_TRUE(robot.is_time_up());
+  ask(robot, line, "F+9\r");
+  const RunReport report = robot.finish("stopped");
+  EXPECT_EQ(report.outcome, RunOutcome::kTimeUp);
+  EXPECT_EQ(report.why, "the limit of 600 simulated seconds was reached");
+  EXPECT_EQ(report.ticks, 600'000);
+  EXPECT_FALSE(report.goals.at(0).is_met);
+}
+
 TEST(PageRobotTest, FaultsAct) {
   PageRobot robot(rhino_setup(
       {{"faults", R"({"faults":[{"name":"mute","kind":"reply_lost","probability":1}]})"}}));
@@ -237,7 +269,12 @@ TEST(PageRobotTest, ABadSetupIsRefusedWithTheReason) {
   EXPECT_NE(failure_of({{"workcell", R"({"blocks":3})"}}).find("workcell:1: /"), std::string::npos);
   EXPECT_NE(failure_of({{"goals", R"({"goals":[{"kind":"x"}]})"}}).find("goals:1: /goals/0"),
             std::string::npos);
-  EXPECT_EQ(failure_of({{"clock", "sun"}}), "clock: found sun; allowed: real, manual, bytes");
+  EXPECT_EQ(failure_of({{"clock", "sun"}}),
+            "clock: found sun; allowed: real, manual, bytes, bytes:INQUIRY_MS");
+  EXPECT_EQ(failure_of({{"clock", "bytes:9,settle=50"}}),
+            "clock: found bytes:9,settle=50; allowed in a page: bytes:INQUIRY_MS");
+  EXPECT_NE(failure_of({{"clock", "bytes:x"}}).find("the byte clock is bytes:"), std::string::npos);
+  EXPECT_NE(failure_of({{"vary", "x"}}).find("a variation is a seed"), std::string::npos);
   EXPECT_EQ(failure_of({{"compat", "x"}}), "compat: found x; allowed: paper, mark3");
   EXPECT_NE(failure_of({{"robot", 3}}).find("the setup of the robot"), std::string::npos);
   EXPECT_THROW(read_setup("{"), std::invalid_argument);

@@ -38,10 +38,11 @@ import { isSooner } from "./rewind/axis.js";
 import { connectOpenRecording } from "./machine/open_recording.js";
 import { connectCopyLink } from "./machine/copy_link.js";
 import { keepForOffline } from "./machine/offline_page.js";
-import { isHere, sharedHere } from "./lib/here.js";
+import { givenHere, isHere } from "./lib/here.js";
 import { isOverview } from "./lib/place.js";
 import { pastStates } from "./plots/past_states.js";
 import { textOf } from "./lib/refusal.js";
+import { shortest } from "./program/program_files.js";
 import { ProgramPanel } from "./program/program_panel.js";
 import { PlotPanel } from "./plots/plot_panel.js";
 import { Rewind } from "./rewind/rewind.js";
@@ -173,12 +174,12 @@ new CommandMode({ run, old, known });
 byId("home").onclick = () => call("home");
 byId("reset").onclick = () => call("reset");
 byId("outlines").onchange = (event) => camera.setOutlines(event.target.checked);
-const program = isHere ? new ProgramPanel({ machine, given: sharedHere().then(({ program: text }) => text), showError, openTab: () => drawer.choose("tab-program") }) : null;
+const program = isHere ? new ProgramPanel({ machine, given: givenHere(), showError, openTab: () => drawer.choose("tab-program"), offer: (text, action) => messages.show(text, action) }) : null;
 if (isHere) keepForOffline((text, action) => messages.show(text, action));
 byId("save-recording").hidden = !isHere;
 byId("save-recording").onclick = () => machine.save().then((text) => download("robot.xr3rec", text, "application/octet-stream")).catch(showError);
 if (isHere) connectOpenRecording({ machine, onOpened: showOpened, onError: showError });
-if (isHere) connectCopyLink({ getModel: () => connection.get("model"), getFirst: () => known.firstModel, isOpened: () => machine.isOpened, getProgram: () => program.text, showMessage, onError: showError });
+if (isHere) connectCopyLink({ getModel: () => connection.get("model"), getFirst: () => known.firstModel, isOpened: () => machine.isOpened, getProgram: () => shortest(program.store.program), showMessage, onError: showError });
 byId("stop-motors").onclick = () => mover.drive.stop().catch(showError);
 const drawer = new Drawer((panel) => {
   if (panel === "program-panel") program?.show();
@@ -479,7 +480,7 @@ connection.follow("event");
 
 // For tests and screenshots.
 window.xr3 = {
-  program, judge: () => machine.judge(), known, transcriptLine, scene, paper, plots, teach,
+  program, judge: (why) => machine.judge(why), known, transcriptLine, scene, paper, plots, teach,
   call, disconnect: () => connection.socket?.close(),
   step: (ticks) => call("step", { ticks, fields: [] }),
   tip: () => known.model && tip(known.model.robot, known.state.joints.map((joint) => joint.value)),

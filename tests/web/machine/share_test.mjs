@@ -15,6 +15,14 @@ test("what is shared comes back, whatever it contains", async () => {
   }
 });
 
+test("a program is a text, or files of which one is run, and not too many", async () => {
+  const files = { "main.py": "import arm", "arm.py": "" };
+  for (const program of ["print(1)", { files, name: "main.py" }]) assert.deepEqual(await sharedIn(await fragmentOf({ program })), { program });
+  const many = Object.fromEntries(Array.from({ length: 17 }, (_, i) => [`f${i}.py`, ""]));
+  for (const program of [3, [], {}, { files, name: "other.py" }, { files, name: "toString" }, { files: { "../main.py": "" }, name: "../main.py" }, { files: { ...files, "a.txt": "" }, name: "main.py" }, { files: many, name: "f0.py" }, "x".repeat(200_001)])
+    await assert.rejects(sharedIn(await fragmentOf({ program })), /This link is damaged/, JSON.stringify(program).slice(0, 100));
+});
+
 test("another fragment is not a link", async () => {
   for (const fragment of ["", "#", "#token=x", "#robot=adept-one", "#axr3=AA"]) assert.equal(await sharedIn(fragment), null);
 });

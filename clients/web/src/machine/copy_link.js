@@ -7,7 +7,7 @@ import { fragmentOf, kMaxLink } from "./share.js";
 const kOpened = "This robot is of a recording, which is too long for a link. Save the recording as a file instead.";
 
 /**
- * @param {{getModel: () => Promise<any>, getFirst: () => any, isOpened: () => boolean, getProgram: () => string, showMessage: (text: string) => void, onError: (error: unknown) => void}} parts
+ * @param {{getModel: () => Promise<any>, getFirst: () => any, isOpened: () => boolean, getProgram: () => import("./share.js").Shared["program"], showMessage: (text: string) => void, onError: (error: unknown) => void}} parts
  *   `getFirst`: the model with which the page began; `isOpened`: whether the robot is of a recording that is in no address
  */
 export function connectCopyLink({ getModel, getFirst, isOpened, getProgram, showMessage, onError }) {
@@ -22,10 +22,10 @@ export function connectCopyLink({ getModel, getFirst, isOpened, getProgram, show
   };
 }
 
-/** Returns what happened. @param {{workcell: object}} model @param {{workcell: object}} first @param {string} program */
+/** Returns what happened. @param {{workcell: object}} model @param {{workcell: object}} first @param {import("./share.js").Shared["program"]} program */
 async function copy({ workcell }, first, program) {
   const shared = { ...(await sharedHere()), program };
-  const now = shared.recording || isSame(workcell, first.workcell) ? shared : { ...shared, workcell: JSON.stringify(workcell) };
+  const now = shared.recording || isSame(workcell, first.workcell) ? shared : { ...shared, ...(shared.exercise || shared.vary ? { vary: "" } : {}), workcell: JSON.stringify(workcell) };
   const link = location.origin + location.pathname + (await fragmentOf(now));
   if (link.length > kMaxLink)
     return `A link to this would have ${link.length} characters, and some programs cut links beyond ${kMaxLink}. Save workcell and program as files instead.`;

@@ -1,14 +1,13 @@
 // @ts-check
 // The page's side of a robot without a server: starts the worker in which the robot lives, carries the messages of its monitor as a
 // WebSocket does (lib/connection.js), and runs programs.
-
 import { startWorker, textOf } from "./start_worker.js";
 
 /** @typedef {import("./setup.js").Beginning} Beginning @typedef {import("./setup.js").Past} Past */
-/** @typedef {{files: Record<string, string>, name: string}} Program */
+/** @typedef {import("../program/program_files.js").Program} Program */
 /**
  * Called with the worker's messages about a program; worker.js describes them.
- * @typedef {{python: (state: string) => void, output: (part: {stream: string, text: string}) => void, asks: (prompt: string) => void,
+ * @typedef {{python: (state: string, loaded: {bytes: number, of: number}) => void, output: (part: {stream: string, text: string}) => void, asks: (prompt: string) => void,
  *   ended: (end: {code: number, goals: boolean[]}) => void, refused: (why: string) => void}} ProgramListener
  */
 
@@ -58,7 +57,7 @@ export class Machine {
 
   // A program may send anything: only texts and numbers are taken.
   /** @param {Record<string, any>} data */
-  #take({ message, anew, recording, tick, beat, failed, python, output, asks, ended, refused, copied }) {
+  #take({ message, anew, recording, tick, beat, failed, python, output, asks, ended, refused, copied, bytes, of }) {
     if (ended !== undefined || refused !== undefined) this.isRunning = false;
     if (anew !== undefined) this.recording = "";
     if (tick !== undefined) this.tick = Number(tick);
@@ -66,7 +65,7 @@ export class Machine {
     if (message !== undefined) this.onmessage({ data: textOf(message) });
     if (recording !== undefined) this.recording += String(recording);
     if (failed !== undefined) this.#fail(textOf(failed));
-    if (python !== undefined) this.listener?.python(textOf(python));
+    if (python !== undefined) this.listener?.python(textOf(python), { bytes: Number(bytes), of: Number(of) });
     if (output !== undefined) this.listener?.output({ stream: textOf(output?.stream), text: textOf(output?.text) });
     if (asks !== undefined) this.listener?.asks(textOf(asks));
     if (ended !== undefined) this.listener?.ended({ code: Number(ended?.code), goals: Array.from(ended?.goals ?? [], Boolean) });

@@ -21,13 +21,13 @@ async function dropOthers() {
   await worker.clients.claim();
 }
 
-/** The kept file at an address; the folder itself is its index. @param {string} url */
-async function answer(url) {
+/** The kept file at an address; the folder itself is its index. @param {string} url @param {FetchEvent} event */
+async function answer(url, event) {
   const kept = await caches.open(kKept);
   const found = await kept.match(url);
   if (found) return found;
   const fetched = await fetch(url);
-  if (fetched.ok && isLate(url)) await kept.put(url, fetched.clone());
+  if (fetched.ok && isLate(url)) event.waitUntil(kept.put(url, fetched.clone()).catch(() => {})); // as it comes; there may be no room
   return fetched;
 }
 
@@ -37,5 +37,5 @@ worker.addEventListener("message", ({ data }) => data === "take over" && worker.
 worker.addEventListener("fetch", (event) => {
   const url = event.request.url.replace(/[?#].*$/, "");
   const file = url === folder ? `${folder}index.html` : url;
-  if (event.request.method === "GET" && files.has(file)) event.respondWith(answer(file));
+  if (event.request.method === "GET" && files.has(file)) event.respondWith(answer(file, event));
 });

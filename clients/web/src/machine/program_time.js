@@ -3,7 +3,7 @@
 // follows the bytes, its time goes on all the same, or it would wait for ever. While it waits, the page is served: by a
 // promise where Python can wait for one (JSPI), else the worker blocks in slices, and hears nothing in between.
 
-/** @typedef {{clock: string, rate: number, tick: number, catchUp: () => void}} Clock of a Robot, or of a server */
+/** @typedef {{clock: string, rate: number, tick: number, isTimeUp: boolean, catchUp: () => void}} Clock of a Robot, or of a server */
 
 const kSliceMs = 16; // of wall time without a look at messages and frames
 const kShortMs = 4; // a browser's timer takes as long at least
@@ -37,7 +37,7 @@ export class ProgramTime {
 
   /** To be called in each call of the program: time passes. Throws Stopped if it must end. */
   touch() {
-    if (this.isStopped) throw new Stopped("stopped");
+    if (this.isStopped || this.robot.isTimeUp) throw new Stopped("stopped");
     const now = performance.now();
     const { clock } = this.robot;
     if (clock === "real") this.robot.catchUp();

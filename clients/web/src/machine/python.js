@@ -1,9 +1,11 @@
 // @ts-check
 // Python in the worker: Pyodide, with the package xr3_page in place of sockets and clocks, and the package xr3.
+import { countFetched } from "./counted_fetch.js";
 import { lockWorker } from "./lock.js";
 
 /** @typedef {import("./program_robot.js").ProgramRobot} ProgramRobot */
 
+const kSilentMs = 60_000; // without a byte while Python is loaded
 const kCanWait = "from pyodide.ffi import can_run_sync\ncan_run_sync()";
 
 export class Python {
@@ -14,10 +16,31 @@ export class Python {
   }
 
   /**
+   * Loads Python for a worker, which sends {python: "loading"} as its bytes come, and {output} of programs. Rejects if for a minute
+   * nothing comes.
+   * @param {string} folder its URL @param {(message: object) => void} post @returns {Promise<Python>}
+   */
+  static loadFor(folder, post) {
+    return new Promise((resolve, reject) => {
+      const silent = () => reject(new Error("Python could not be loaded: for a minute nothing has come. Is the network gone?"));
+      let watch = setTimeout(silent, kSilentMs);
+      const came = (/** @type {number} */ bytes) => {
+        clearTimeout(watch);
+        watch = setTimeout(silent, kSilentMs);
+        post({ python: "loading", bytes, of: XR3_PYTHON_BYTES });
+      };
+      came(0);
+      Python.load(folder, (stream, text) => post({ output: { stream, text } }), came).then(resolve, reject).finally(() => clearTimeout(watch));
+    });
+  }
+
+  /**
    * Loads Python from a folder, and locks the worker.
    * @param {string} folder its URL @param {(stream: "stdout" | "stderr", text: string) => void} print
+   * @param {(bytes: number) => void} onBytes called with the number of bytes, of XR3_PYTHON_BYTES, that have come
    */
-  static async load(folder, print) {
+  static async load(folder, print, onBytes) {
+    countFetched(onBytes); // until the worker is locked
     const { loadPyodide } = await import(`${folder}pyodide.mjs`);
     const pyodide = await loadPyodide({ indexURL: folder });
     for (const stream of /** @type {const} */ (["stdout", "stderr"])) pyodide[stream === "stdout" ? "setStdout" : "setStderr"](writer(stream, print));

@@ -125,6 +125,10 @@ export class Robot {
     this.#ask("xr3_goals");
     return JSON.parse(this.module.text());
   }
+  /** Whether a program has had the simulated time that `xr3 exec` gives it; only with goals and the byte clock. */
+  get isTimeUp() {
+    return this.#ask("xr3_is_time_up") !== 0;
+  }
   /** Ends the run, and judges it; the report is that of `xr3 exec`. @param {string} why why the program failed, or "" */
   finish(why) {
     this.#require(this.module.with(why, (place, size) => this.#call("xr3_finish", place, size)));

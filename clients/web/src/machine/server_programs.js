@@ -40,9 +40,9 @@ export class ServerPrograms {
   }
 
   /** @param {Record<string, any>} data */
-  #take({ python, output, asks, ended, refused }) {
+  #take({ python, output, asks, ended, refused, bytes, of }) {
     if (ended !== undefined || refused !== undefined) this.isRunning = false;
-    if (python !== undefined) this.listener?.python(textOf(python));
+    if (python !== undefined) this.listener?.python(textOf(python), { bytes: Number(bytes), of: Number(of) });
     if (output !== undefined) this.listener?.output({ stream: textOf(output?.stream), text: textOf(output?.text) });
     if (asks !== undefined) this.listener?.asks(textOf(asks));
     if (ended !== undefined) this.listener?.ended({ code: Number(ended?.code), goals: [] });

@@ -21,18 +21,13 @@ let time = null; // of the program that runs
 let answer = null;
 
 /** The clock of a program's time, with the members of a robot that ProgramTime uses. */
-const wall = { clock: "real", rate: 1, catchUp() {}, get tick() { return performance.now(); } };
-
-function loadPython() {
-  if (!python) post({ python: "loading" });
-  python ??= Python.load(folder, (stream, text) => post({ output: { stream, text } }));
-  return python;
-}
+const wall = { clock: "real", rate: 1, isTimeUp: false, catchUp() {}, get tick() { return performance.now(); } };
 
 /** @param {{files: Record<string, string>, name: string}} program */
 async function run(program) {
   try {
-    const its = await loadPython();
+    python ??= Python.loadFor(folder, post);
+    const its = await python;
     if (!its.canWait) throw new Error(kNoWait);
     post({ python: "ready" });
     const now = new ProgramTime(wall, true, () => {}, () => new Promise((resolve) => setTimeout(resolve)));

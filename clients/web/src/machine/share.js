@@ -2,15 +2,17 @@
 // What a link to the page holds: everything that makes a robot, in the fragment of the address, which browsers do not send
 // to a server. It is JSON, compressed by deflate, in base64url: `#xr3=...`. What comes from a link is checked here for its
 // form and its size; the robot checks the contents of the files.
+import { programOf } from "../program/program_files.js";
 
 /**
- * `robot` and `workcell` are names of files that the page has, or their contents; `recording` is the path of one, instead of a robot.
- * @typedef {{robot?: string, workcell?: string, faults?: string, goals?: string, clock?: string, compat?: string, program?: string,
- *   recording?: string}} Shared
+ * `robot`, `workcell`, `faults` and `goals` are names of files that the page has, or their contents; they take precedence over those of
+ * the exercise, which the page has, too. `recording` is the path of one, instead of a robot. `program`: its text if it has one file.
+ * @typedef {{exercise?: string, robot?: string, workcell?: string, faults?: string, goals?: string, clock?: string, vary?: string, compat?: string,
+ *   recording?: string, program?: string | import("../program/program_files.js").Program}} Shared
  */
 
 const kName = "xr3";
-const kMembers = ["robot", "workcell", "faults", "goals", "clock", "compat", "program", "recording"];
+const kMembers = ["exercise", "robot", "workcell", "faults", "goals", "clock", "vary", "compat", "recording"];
 const kMaxBytes = 1 << 20; // of the JSON: a short link can be large when it is unpacked
 /** Longer links are cut by some programs. */
 export const kMaxLink = 8192;
@@ -39,8 +41,10 @@ export async function sharedIn(fragment) {
 /** @param {any} found @returns {Shared} */
 function checked(found) {
   if (found?.constructor !== Object) throw new Error("not an object");
-  const wrong = Object.entries(found).find(([name, value]) => !kMembers.includes(name) || typeof value !== "string");
+  const { program, ...texts } = found;
+  const wrong = Object.entries(texts).find(([name, value]) => !kMembers.includes(name) || typeof value !== "string");
   if (wrong) throw new Error(`unknown: ${wrong[0]}`);
+  if (program !== undefined) programOf(program);
   return found;
 }
 

@@ -6,7 +6,7 @@
 //   {message}    the text of a message from the monitor
 //   {recording}  what the recording has got; {tick} the time
 //   {anew}       what comes is of another robot
-//   {python}     "loading" or "ready"
+//   {python}     "loading", with {bytes} of {of} that have come, or "ready"
 //   {output}     {stream, text} of the program; {asks} what it asks the user
 //   {beat}       a number that the page sends back
 //   {ended}      the exit code of the program, and whether each goal is met
@@ -24,7 +24,6 @@ import { Robot } from "./robot.js";
 
 const kFrameMs = 16;
 const kRestMs = 100; // between two looks while nothing moves
-const kLoadMs = 60_000;
 
 const post = self.postMessage.bind(self);
 /** @type {Module} */
@@ -110,19 +109,11 @@ function request(text) {
 
 // --- Programs.
 
-function loadPython() {
-  if (python) return python;
-  post({ python: "loading" });
-  const loading = Python.load(folder, (stream, text) => post({ output: { stream, text } }));
-  const late = new Promise((_, reject) => setTimeout(() => reject(new Error("Python could not be loaded within a minute: is the network slow or gone?")), kLoadMs));
-  python = Promise.race([loading, late]);
-  return python;
-}
-
 /** @param {Program} program */
 async function run(program) {
   try {
-    const its = await loadPython();
+    python ??= Python.loadFor(folder, post);
+    const its = await python;
     post({ python: "ready" });
     time = new ProgramTime(robot, its.canWait, serve, heard);
     const environ = { XR3_HOST: "robot", XR3_PORT: "9600", XR3_MONITOR_PORT: "9601", ...(robot.clock === "bytes" ? { XR3_POLL_MS: "0" } : {}) };

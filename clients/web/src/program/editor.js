@@ -20,19 +20,28 @@ const theme = EditorView.theme({
 });
 
 /**
- * @param {HTMLElement} host @param {string} text
- * @param {{onChange: (text: string) => void, onRun: () => void}} parts
+ * @param {HTMLElement} host
+ * @param {{onChange: (text: string) => void, onRun: () => void}} parts `onChange`: the text of the file that is shown has changed
  */
-export function openEditor(host, text, { onChange, onRun }) {
+export function openEditor(host, { onChange, onRun }) {
   const root = host.attachShadow({ mode: "open" });
   const run = Prec.highest(keymap.of([{ key: "Mod-Enter", run: () => (onRun(), true) }]));
   const changed = EditorView.updateListener.of(({ docChanged, state }) => docChanged && onChange(state.doc.toString()));
   const name = EditorView.contentAttributes.of({ "aria-label": "Program in Python" });
   const extensions = [run, basicSetup, python(), keymap.of([indentWithTab]), indentUnit.of("    "), theme, changed, name];
-  const view = new EditorView({ parent: root, root, state: EditorState.create({ doc: text, extensions }) });
+  const view = new EditorView({ parent: root, root });
+  /** Of files that are not shown: cursor, and what can be undone. @type {WeakMap<object, EditorState>} */
+  const states = new WeakMap();
+  /** @type {object | null} */
+  let shown = null;
   return {
-    /** @param {string} all */
-    setText: (all) => view.dispatch({ changes: { from: 0, to: view.state.doc.length, insert: all } }),
+    /** @param {{text: string}} file */
+    show(file) {
+      if (shown) states.set(shown, view.state);
+      shown = file;
+      const state = states.get(file);
+      view.setState(state?.doc.toString() === file.text ? state : EditorState.create({ doc: file.text, extensions }));
+    },
     /** Puts the cursor at a line, from 1. @param {number} number */
     goTo(number) {
       const line = view.state.doc.line(Math.min(Math.max(number, 1), view.state.doc.lines));

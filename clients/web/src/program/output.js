@@ -7,10 +7,13 @@ const kMostLetters = 2000; // of a line
 const kPlace = /File "[^"]*?([^"/]+)", line (\d+)/;
 
 export class ProgramOutput {
-  /** @param {HTMLElement} host @param {string} name of the program's file @param {(line: number) => void} goTo */
-  constructor(host, name, goTo) {
+  /**
+   * @param {HTMLElement} host @param {(name: string) => boolean} isOwn whether the program has a file with this name
+   * @param {(name: string, line: number) => void} goTo
+   */
+  constructor(host, isOwn, goTo) {
     this.host = host;
-    this.name = name;
+    this.isOwn = isOwn;
     this.goTo = goTo;
     /** @type {HTMLElement | null} */
     this.open = null; // the line that has not ended
@@ -51,8 +54,8 @@ export class ProgramOutput {
   /** @param {HTMLElement} line */
   #link(line) {
     const [place, file, number] = kPlace.exec(line.textContent ?? "") ?? [];
-    if (file !== this.name) return;
+    if (!file || !this.isOwn(file)) return;
     const [before, after] = line.textContent.split(place);
-    line.replaceChildren(before, el("button", { type: "button", onclick: () => this.goTo(Number(number)) }, place), after);
+    line.replaceChildren(before, el("button", { type: "button", onclick: () => this.goTo(file, Number(number)) }, place), after);
   }
 }

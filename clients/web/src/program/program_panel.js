@@ -1,39 +1,46 @@
 // @ts-check
 // The panel Program: an editor, Run and Stop, what the program prints, and its goals. The program runs beside the robot, in the
-// worker. Its text is kept in the browser.
+// worker. Its files are kept in the browser.
 import { byId, el, setText } from "../lib/dom.js";
 import { recall, remember } from "../lib/memory.js";
+import { connectExamples } from "./examples_menu.js";
+import { FileTabs } from "./file_tabs.js";
 import { ProgramOutput } from "./output.js";
+import { programOf, troubleOfFiles } from "./program_files.js";
+import { ProgramStore } from "./program_store.js";
 
 /** @typedef {import("../machine/machine.js").Machine} Machine */
-/** @typedef {{name: string, title: string}} Example */
+/** @typedef {import("./program_files.js").Program} Program */
 
-const kName = "main.py";
 const kStopped = new Set([130, 137]); // at a call; with its worker
 const kWide = matchMedia("(min-width: 1200px) and (min-height: 701px)");
-const kFirst = `import xr3
+const kFirst = programOf(`import xr3
 
 with xr3.Robot() as robot:
     robot.move("E", 50)
     robot.wait("E")
     print("The shoulder has moved.")
-`;
+`);
 
 export class ProgramPanel {
   /**
-   * @param {{machine: Machine, given: Promise<string | undefined>, showError: (error: unknown) => void, openTab: () => void}} parts
-   *   `given`: a program that came with a link; it is shown and not run, and the kept one is not lost until somebody edits
+   * @param {{machine: Machine, given: Promise<{program?: Program, origin: string}>, showError: (error: unknown) => void, openTab: () => void,
+   *   offer: (text: string, action?: {name: string, act: () => void}) => void}} parts
+   *   `given`: a program that came with a link, and that link; it is shown and not run
    */
-  constructor({ machine, given, showError, openTab }) {
+  constructor({ machine, given, showError, openTab, offer }) {
     this.machine = machine;
     this.showError = showError;
     this.openTab = openTab;
     this.panel = byId("program-panel");
-    this.text = /** @type {string} */ (recall("program", kFirst));
-    this.given = given.then((text) => this.#take(text)).catch(() => {}); // the page says that the link is damaged
-    this.output = new ProgramOutput(byId("program-output"), kName, (line) => this.editor?.goTo(line));
+    this.offer = offer;
+    this.store = new ProgramStore(kFirst, `xr3.program ${location.pathname}${location.search}`);
+    this.tabs = new FileTabs({ store: this.store, panel: this.panel, onShow: () => this.#shown(), offer });
+    this.given = given.then((its) => its.program && this.#take(its.program, its.origin)).catch(() => {}); // the page says that the link is damaged
+    connectExamples({ store: this.store, onProgram: () => this.#refresh(), offer, showError });
+    this.output = new ProgramOutput(byId("program-output"), (name) => Boolean(this.store.file(name)), (name, line) => this.#goTo(name, line));
     machine.listener = {
-      python: (state) => this.#setState(state === "loading" ? "Python is being loaded (13 MB, once)" : "Running"),
+      python: (state, loaded) => this.#showPython(state, loaded),
       output: ({ stream, text }) => this.output.add(stream, text),
       asks: (prompt) => this.#ask(prompt),
       ended: (end) => this.#ended(end),
@@ -48,16 +55,8 @@ export class ProgramPanel {
     byId("program-clear").onclick = () => this.output.clear();
     byId("program-ask").onsubmit = (/** @type {Event} */ event) => this.#answer(event);
     byId("program-button").onclick = () => this.#setOpen(byId("program-side").hidden);
-    this.#fillExamples().catch(showError);
     kWide.addEventListener("change", () => this.#place());
     this.#place();
-  }
-
-  /** Takes the program of a link, and shows it. @param {string | undefined} text */
-  #take(text) {
-    if (text === undefined) return;
-    this.text = text;
-    if (!kWide.matches) this.openTab();
   }
 
   // --- Its place: left of the stage on wide windows, else a tab of the drawer.
@@ -95,29 +94,58 @@ export class ProgramPanel {
     try {
       await this.given;
       const { openEditor } = await import(/* not in this bundle */ `${new URL("assets/editor.js", document.baseURI)}`);
-      this.editor = openEditor(byId("program-editor"), this.text, { onChange: (/** @type {string} */ text) => this.#keep(text), onRun: () => this.run() });
+      this.editor = openEditor(byId("program-editor"), { onChange: (/** @type {string} */ text) => this.#keep(text), onRun: () => this.run() });
+      this.editor.show(this.store.shown);
     } catch (error) {
       this.opening = false;
       this.showError(error);
     }
   }
 
-  /** @param {string} text */
-  #keep(text) {
-    this.text = text;
-    remember("program", text);
+  // --- Its files.
+
+  /** @param {Program} program of a link @param {string} origin */
+  #take(program, origin) {
+    const isOwn = this.store.takeGiven(program, origin);
+    this.#refresh();
+    if (!kWide.matches) this.openTab();
+    if (!isOwn) return;
+    const act = () => {
+      this.store.replace(program, origin);
+      this.#refresh();
+    };
+    this.offer("This is the program as you left it, not as the link has it.", { name: "Show the link's", act });
   }
 
-  async #fillExamples() {
-    const response = await fetch("data/examples.json");
-    const examples = /** @type {Example[]} */ (response.ok ? await response.json() : []);
-    const select = byId("program-example");
-    select.append(...examples.map(({ name, title }) => el("option", { value: name }, title)));
-    select.onchange = async () => {
-      const text = await (await fetch(`data/examples/${select.value}`)).text();
-      select.value = "";
-      this.editor?.setText(text);
-    };
+  /** Another program is there. */
+  #refresh() {
+    this.tabs.show();
+    this.#shown();
+  }
+
+  #shown() {
+    this.editor?.show(this.store.shown);
+    this.#note();
+  }
+
+  /** @param {string} text */
+  #keep(text) {
+    this.store.setText(text);
+    this.#note();
+  }
+
+  /** Tells that the program is too large, or not kept. */
+  #note() {
+    const { files, isEdited, isKept } = this.store;
+    const trouble = troubleOfFiles(files);
+    byId("program-note").hidden = trouble === "" && (isKept || !isEdited);
+    setText(byId("program-note"), trouble ? `${trouble} It is not kept.` : "This browser keeps no programs: save yours as a file (File, Save).");
+  }
+
+  /** @param {string} name @param {number} line */
+  #goTo(name, line) {
+    this.tabs.choose(name);
+    this.editor?.goTo(line);
   }
 
   // --- Running.
@@ -130,7 +158,7 @@ export class ProgramPanel {
     this.#setState("Running");
     byId("program-goals").hidden = true;
     this.#allow();
-    this.machine.run({ files: { [kName]: this.text }, name: kName });
+    this.given.then(() => this.machine.run(this.store.program));
   }
 
   stop() {
@@ -150,9 +178,10 @@ export class ProgramPanel {
 
   /** What `xr3 exec` would say of the run. @param {string} why why the program failed, or "" */
   async #showVerdict(why) {
-    const { points, max_points: most, goals, not_counted: uncounted } = await this.machine.judge(why);
+    const { points, max_points: most, goals, not_counted: uncounted, outcome, why: reason } = await this.machine.judge(why);
     const items = goals.map((/** @type {any} */ { met, expected, found, hint }) => el(met ? "li.met" : "li", {}, `${met ? "✓" : "✗"} ${expected}`,
       ...(met ? [] : [el("span.hint", {}, ` ${found}. ${hint}`)])));
+    if (outcome === "time_up") this.#setState(`Stopped: ${reason}. Reset and run begins anew`);
     const rest = uncounted ? [el("p.hint", {}, `Not counted: ${uncounted}.`)] : [];
     byId("program-goals").replaceChildren(el("p", {}, el("b", {}, `${points} of ${most} points`)), el("ul", {}, ...items), ...rest);
     byId("program-goals").hidden = false;
@@ -168,8 +197,19 @@ export class ProgramPanel {
   #over(state) {
     this.isRunning = false;
     byId("program-ask").hidden = true;
+    byId("python-loading").hidden = true;
     this.#setState(state);
     this.#allow();
+  }
+
+  /** @param {string} state @param {{bytes: number, of: number}} loaded */
+  #showPython(state, { bytes, of }) {
+    byId("python-loading").hidden = state !== "loading";
+    if (state !== "loading") return this.#setState("Running");
+    this.#setState("Python is being loaded");
+    Object.assign(byId("python-progress"), { value: bytes, max: of });
+    const mb = (/** @type {number} */ count) => (count / 1e6).toFixed(1);
+    setText(byId("python-bytes"), bytes < of ? `Python: ${mb(bytes)} of ${mb(of)} MB` : "Python starts");
   }
 
   /** @param {string} text */

@@ -1,4 +1,4 @@
-#include "cli/exec/sim_limit.hpp"
+#include "cell/judge/sim_limit.hpp"
 
 #include <algorithm>
 

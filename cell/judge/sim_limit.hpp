@@ -9,6 +9,9 @@
 
 namespace xr3 {
 
+/// Of `xr3 exec`, if nothing else is said.
+constexpr Tick kUsualSimLimit = 600 * kTickHz;
+
 /// The data by which a run is judged.
 struct JudgedMoment {
   State state;
