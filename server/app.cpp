@@ -72,7 +72,8 @@ AccessRules access_rules(const ServeOptions& options, std::string token) {
   return {{reach, options.allow_hosts, options.allow_origins},
           options.is_private ? ReadAccess::kWithToken : ReadAccess::kFree,
           std::move(token),
-          metrics_token(options)};
+          metrics_token(options),
+          options.allow_frames};
 }
 
 asio::ip::address address_of(const std::string& listen) {

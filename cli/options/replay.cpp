@@ -58,9 +58,10 @@ void add_replay(CLI::App& app, ReplayOptions& options, ServeOptions& server) {
   add_port_file(replay, server);
   add_log(replay, server);
   add_access(replay, server);
-  for (const char* name : {"--listen", "--robot-port", "--monitor-port", "--port-file",
-                           "--log-level", "--log-file", "--token-file", "--token", "--private",
-                           "--metrics-token-file", "--allow-host", "--allow-origin", "--insecure"})
+  for (const char* name :
+       {"--listen", "--robot-port", "--monitor-port", "--port-file", "--log-level", "--log-file",
+        "--token-file", "--token", "--private", "--metrics-token-file", "--allow-host",
+        "--allow-origin", "--allow-frame", "--insecure"})
     replay.get_option(name)->needs(serve);
 }
 

@@ -35,6 +35,15 @@ std::string check_origin(const std::string& text) {
              : text + ": an origin has the form https://page.lab or http://a:8080";
 }
 
+// Browsers ignore IPv6 addresses in a policy.
+std::string check_frame(const std::string& text) {
+  const bool is_good = http::is_origin(text) && text.find('[') == std::string::npos;
+  return is_good ? ""
+                 : text +
+                       ": the origin of a page around this one is http:// or https://, a name or "
+                       "an IPv4 address, and perhaps a port, such as http://localhost:8888";
+}
+
 // Adds a list: values separated by commas, or repeated uses of the option.
 void add_names(CLI::App& serve, const std::string& name, std::vector<std::string>& names,
                const std::string& type, const std::string& what,
@@ -221,6 +230,10 @@ void add_access(CLI::App& serve, ServeOptions& options) {
   add_names(serve, "--allow-origin", options.allow_origins, "ORIGIN",
             "origin of pages that may connect, such as https://page.lab; several with commas",
             check_origin);
+  add_names(serve, "--allow-frame", options.allow_frames, "ORIGIN",
+            "origin of pages that may show this one in a frame, for a robot that anybody may move; "
+            "several with commas",
+            check_frame);
   add_flag(serve, "--insecure", options.is_insecure,
            "allow other machines without a token: anyone who can connect can control the robot");
 }
@@ -300,6 +313,11 @@ Options checked_serve(ServeOptions options) {
   if (options.device && options.line_speed)
     return refuse(options, "--line-speed",
                   "cannot be used with --serial: the arm's port has a speed of its own");
+  if (!options.allow_frames.empty() && (has_token || options.device))
+    return refuse(options, "--allow-frame",
+                  "cannot be used with " + std::string(has_token ? "a token" : "--serial") +
+                      ": a page can trick its visitor into clicking in a frame, so it is for "
+                      "simulated robots that anybody may move");
   if (auto refused = refuse_cells(options)) return *std::move(refused);
   if (options.device && is_beyond && !has_token)
     return refuse(options, "--serial",

@@ -86,6 +86,7 @@ struct ServeOptions {
   std::string metrics_token_file;  ///< empty for none
   std::vector<std::string> allow_hosts;
   std::vector<std::string> allow_origins;
+  std::vector<std::string> allow_frames;  ///< origins
   bool is_insecure = false;
   std::string config;  ///< a config file; empty for none
   OptionSources option_sources;

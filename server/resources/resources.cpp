@@ -233,10 +233,14 @@ Answer HttpResources::page(const HttpRequest& request) const {
   if (!is_page) return http::not_found("there is nothing here");
   if (is_root)
     if (auto refused = refuse_cell(request)) return *std::move(refused);
+  std::vector<http::Field> fields;
+  if (is_root)
+    fields = {{"Content-Security-Policy", http::content_policy(policy_.frame_origins())}};
   const WebAsset asset = find_web_asset(is_root ? "/index.html" : is_icon ? kIcon : path);
   if (!asset.type.empty())
-    return {200, std::string(asset.type), http::Body::of_static(asset.bytes), {}};
-  if (is_root) return {200, "text/html; charset=utf-8", http::Body::of_static(kNoViewer), {}};
+    return {200, std::string(asset.type), http::Body::of_static(asset.bytes), std::move(fields)};
+  if (is_root)
+    return {200, "text/html; charset=utf-8", http::Body::of_static(kNoViewer), std::move(fields)};
   return http::not_found("the viewer has no such file");
 }
 

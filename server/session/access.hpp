@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "protocol/monitor/http_guard.hpp"
 
@@ -21,6 +22,8 @@ struct AccessRules {
   std::string token;  ///< empty if calls require no token
   /// Token for /metrics alone, if reading requires a token; empty if there is none.
   std::string metrics_token = {};
+  /// Origins of the pages that may show the robot's page in a frame.
+  std::vector<std::string> frame_origins = {};
 };
 
 class AccessPolicy {
@@ -46,6 +49,7 @@ class AccessPolicy {
   bool is_origin_allowed(std::string_view origin, std::string_view host) const {
     return http::is_origin_allowed(origin, host, rules_.guard);
   }
+  const std::vector<std::string>& frame_origins() const { return rules_.frame_origins; }
 
  private:
   AccessRules rules_;

@@ -51,7 +51,7 @@ class Environment(Options):
     def test_help_names_the_variables(self):
         done = serve("--help")
         for option in "ROBOT", "WORKCELL", "LISTEN", "ROBOT_PORT", "MONITOR_PORT", "COMPAT", "CLOCK", "MAX_LINES", \
-                "PORT_FILE", "LOG_LEVEL", "TOKEN_FILE", "PRIVATE", "ALLOW_HOST", "ALLOW_ORIGIN", "INSECURE", "CONFIG":
+                "PORT_FILE", "LOG_LEVEL", "TOKEN_FILE", "PRIVATE", "ALLOW_HOST", "ALLOW_ORIGIN", "ALLOW_FRAME", "INSECURE", "CONFIG":
             self.assertIn(f"(Env:XR3_{option})", done.stdout)
 
 

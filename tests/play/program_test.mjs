@@ -157,3 +157,15 @@ test("a hostile program reaches no network, no storage, no kept file and no othe
   assert.equal(output, "[] False\nrefused\nrefused\nrefused");
   assert.equal(await page.evaluate(async () => (await caches.keys()).every((name) => name.startsWith("xr3-"))), true);
 }));
+
+test("what is typed in the editor is text, and no key of the page", () => withProgram({ program: "" }, async (page) => {
+  await page.waitForSelector("#program-editor .cm-content");
+  await page.click("#program-editor .cm-content");
+  await page.keyboard.type("p h, 0 n?");
+  await page.keyboard.press("ArrowLeft");
+  await page.keyboard.press("Control+z");
+  await page.keyboard.type("p");
+  assert.equal(await page.evaluate(() => window.xr3.program.text), "p");
+  assert.equal(await page.evaluate(() => window.xr3.known.state.clock.mode), "real");
+  assert.ok(await page.isVisible("#program-editor"));
+}));

@@ -3,6 +3,7 @@
 import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
 import { once } from "node:events";
+import { createServer } from "node:http";
 import { connect } from "node:net";
 import { fileURLToPath } from "node:url";
 import { chromium } from "../../clients/web/node_modules/playwright-core/index.mjs";
@@ -78,6 +79,21 @@ export async function open(url, { flags = kFlags, ...options } = {}) {
   await page.goto(url);
   return page;
 }
+
+/** A page on this host, of an origin of its own, around any other page: `around` makes its address. Close its `server`. */
+export async function serveFrames(host) {
+  const server = createServer((request, answer) => {
+    answer.setHeader("Content-Type", "text/html");
+    answer.end(`<!doctype html><iframe style="position: fixed; inset: 0; width: 100%; height: 100%; border: 0" src="${new URL(request.url, "http://a").searchParams.get("page") ?? ""}"></iframe>`);
+  }).listen(0, host);
+  await once(server, "listening");
+  const origin = `http://${host}:${server.address().port}`;
+  return { server, origin, around: (page) => `${origin}/?page=${encodeURIComponent(page)}` };
+}
+
+/** The page in the frame of a page. */
+export const framed = async (page) => (await page.waitForSelector("iframe")).contentFrame();
+
 /** Waits until the page has received and drawn model and state. (Polls in intervals, not in animation frames, which a busy browser
  * may delay.) */
 export async function ready(page) {

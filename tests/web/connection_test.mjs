@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { writeFile } from "node:fs/promises";
 import { after, test } from "node:test";
-import { close, type, withPage } from "./bench.mjs";
+import { close, open, serve, type, withPage } from "./bench.mjs";
 
 after(close);
 
@@ -39,3 +39,18 @@ test("a workcell that is too large for one message is not sent", () =>
     await page.waitForSelector("#workcell-problems:has-text('too large to send: 301 KiB; the server accepts at most 256 KiB')");
     assert.equal(await page.getAttribute("#status", "data-connection"), "open");
   }));
+
+test("a page that came over HTTPS connects over TLS", async () => {
+  const server = await serve("--allow-host", "robot.school", "--allow-origin", "https://robot.school");
+  const page = await open("about:blank");
+  await page.route("https://robot.school/**", async (route) => // in place of a proxy
+    route.fulfill({ response: await route.fetch({ url: server.url + new URL(route.request().url()).pathname.slice(1) }) }));
+  let connect;
+  const connected = new Promise((resolve) => (connect = resolve));
+  await page.routeWebSocket(/^wss?:/, (socket) => connect(socket.url()));
+  const refused = page.waitForEvent("console", (message) => message.type() === "error").then((message) => message.text());
+  await page.goto("https://robot.school/");
+  assert.equal(await Promise.race([connected, refused]), "wss://robot.school/ws");
+  await page.context().close();
+  await server.stop();
+});

@@ -1,12 +1,11 @@
 // The page in Chromium with a real server: what it shows agrees with the server.
 import assert from "node:assert/strict";
-import { createServer } from "node:http";
 import { readFile, rm, writeFile } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { gzipSync } from "node:zlib";
 import { after, test } from "node:test";
-import { call, close, leavePage, ofThePage, open, openOld, ready, root, serve, showsCount, takePage, type, withPage } from "./bench.mjs";
+import { call, close, framed, leavePage, ofThePage, open, openOld, ready, root, serve, serveFrames, showsCount, takePage, type, withPage } from "./bench.mjs";
 
 after(close);
 
@@ -274,19 +273,26 @@ test("the page is read-only without a token; #token= unlocks it and is removed f
   await server.stop();
 });
 
-test("the page cannot be embedded in a frame", async () => {
-  const server = await serve();
-  const thief = createServer((_, answer) => {
-    answer.setHeader("Content-Type", "text/html");
-    answer.end(`<iframe src="${server.url}"></iframe>`);
-  }).listen(0);
-  const page = await open(`http://localhost:${thief.address().port}/`);
-  const frame = page.frames().find((each) => each !== page.mainFrame());
-  await frame?.waitForLoadState().catch(() => {});
-  assert.equal(await frame?.evaluate(() => typeof window.xr3).catch(() => "undefined"), "undefined");
-  assert.ok(page.errors.some((text) => /frame-ancestors|refused to connect/i.test(text)), String(page.errors));
+test("only a page of an allowed origin shows the page in a frame, where it moves the arm", async () => {
+  const [course, thief] = [await serveFrames("127.0.0.1"), await serveFrames("127.0.0.1")];
+  const server = await serve("--allow-frame", course.origin);
+  const page = await open(course.around(server.url));
+  const frame = await framed(page);
+  await ready(frame);
+  await frame.fill("#console-input", "F+20");
+  await frame.press("#console-input", "Enter");
+  await showsCount(frame, "F", 20);
+  assert.deepEqual(ofThePage(page), []);
+  for (const [origin, options] of [[thief, ["--allow-frame", course.origin]], [course, []]]) {
+    const other = await serve(...options);
+    const report = page.waitForEvent("console", (message) => /frame-ancestors|refused to connect/i.test(message.text()));
+    await page.goto(origin.around(other.url));
+    await report;
+    assert.equal(await (await framed(page)).evaluate(() => typeof window.xr3).catch(() => "undefined"), "undefined");
+    await other.stop();
+  }
   await page.context().close();
-  thief.close();
+  for (const each of [course, thief]) each.server.close();
   await server.stop();
 });
 

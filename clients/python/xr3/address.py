@@ -4,16 +4,21 @@ message.
 
 import os
 import socket
-from typing import Optional, Union
+from typing import Optional, Tuple, Union
+
+
+def host_and_port(host: Optional[str], port: Union[int, str, None], variable: str,
+                  usual: int) -> Tuple[str, int]:
+    """Host and port. If they are not given or empty, uses the environment (XR3_HOST and `variable`
+    for the port), else localhost and the port `usual`. Raises ValueError if the port is invalid."""
+    return (host or os.environ.get("XR3_HOST") or "localhost",
+            port_number(port or os.environ.get(variable) or usual))
 
 
 def connect(host: Optional[str], port: Union[int, str, None], variable: str, usual: int,
             timeout_s: float) -> socket.socket:
-    """Connects to host and port. If they are not given or empty, uses the environment (XR3_HOST and
-    `variable` for the port), else localhost and the port `usual`. Raises ValueError if the port is
-    invalid, and ConnectionError if the connection fails."""
-    host = host or os.environ.get("XR3_HOST") or "localhost"
-    number = port_number(port or os.environ.get(variable) or usual)
+    """Connects to `host_and_port()` of these arguments. Raises ConnectionError if that fails."""
+    host, number = host_and_port(host, port, variable, usual)
     try:
         line = socket.create_connection((host, number), timeout_s)
     except OSError as error:

@@ -30,7 +30,7 @@ let greet;
 export const firstHello = new Promise((resolve) => (greet = resolve));
 
 /** @returns {any} */
-const toServer = () => new WebSocket(`ws://${location.host}/ws`, "xr3.v1");
+const toServer = () => new WebSocket(`${location.origin.replace("http", "ws")}/ws`, "xr3.v1");
 /** The robot of the page itself, which its address may name. */
 const toMachine = () => (machine = new Machine(async () => beginningOf(await sharedHere()), showFailure));
 /** The robot of the page; null if it is a server's. @type {Machine | null} */

@@ -113,6 +113,7 @@ TEST(OptionsEnvironment, AnInvalidValueIsReportedWithItsVariable) {
            {"XR3_INSECURE", "2", "1 or 0"},
            {"XR3_ALLOW_HOST", "good,a:80", "a:80"},
            {"XR3_ALLOW_ORIGIN", "page.lab", "https://"},
+           {"XR3_ALLOW_FRAME", "page.lab", "https://"},
            {"XR3_LISTEN", "0.0.0.0", "--insecure"},
            {"XR3_PRIVATE", "1", "needs a token"}}) {
     const Environment environment({{name, value}});

@@ -119,6 +119,29 @@ TEST(Options, RepeatedHostsAndOriginsAccumulate) {
   EXPECT_EQ(options.allow_origins, (std::vector<std::string>{"https://page.lab"}));
 }
 
+TEST(Options, FramesAreForSimulatedRobotsThatAnybodyMayMove) {
+  const auto options = std::get<ServeOptions>(
+      parse({"serve", "--allow-frame", "https://moodle.school", "--allow-frame",
+             "http://localhost:8888,http://127.0.0.1:8889"}));
+  EXPECT_EQ(options.allow_frames,
+            (std::vector<std::string>{"https://moodle.school", "http://localhost:8888",
+                                      "http://127.0.0.1:8889"}));
+  for (const auto& [more, value] : {std::pair{"--token-file", "t"}, std::pair{"--token", "auto"},
+                                    std::pair{"--serial", "/dev/ttyUSB0"}}) {
+    const Leave leave = refused({"serve", "--allow-frame", "http://a", more, value});
+    EXPECT_EQ(leave.code, ExitCode::kBadInput);
+    EXPECT_EQ(leave.to_stderr.find("xr3: --allow-frame cannot be used with "), 0U)
+        << leave.to_stderr;
+  }
+  for (const char* wrong :
+       {"null", "*", "'self'", "moodle.school", "https://moodle.school/", "https:", "ftp://a",
+        "https://*.school", "http://a; sandbox", "http://[::1]:80", ""}) {
+    const Leave leave = refused({"serve", "--allow-frame", wrong});
+    EXPECT_EQ(leave.code, ExitCode::kBadInput) << wrong;
+    EXPECT_NE(leave.to_stderr.find("http://localhost:8888"), std::string::npos) << leave.to_stderr;
+  }
+}
+
 TEST(Options, RecognisesLoopbackAddresses) {
   for (const char* address : {"127.0.0.1", "127.9.9.9", "::1", "localhost"})
     EXPECT_TRUE(is_loopback(address)) << address;

@@ -382,6 +382,16 @@ TEST_F(HttpTest, AcceptsNamesOfTheRules) {
   EXPECT_EQ(status_of(get("/healthz", "Host: leg.lab\r\n")), "403");
 }
 
+TEST_F(HttpTest, OnlyTheRobotsPageIsForFrames) {
+  AccessRules rules;
+  rules.frame_origins = {"https://moodle.school", "http://localhost:8888"};
+  policy_ = AccessPolicy(rules);
+  const std::string allowed = "frame-ancestors https://moodle.school http://localhost:8888; ";
+  EXPECT_NE(answer(get("/")).find(allowed), std::string::npos);
+  for (const char* path : {"/state", "/assets/icon.svg", "/docs/", "/x"})
+    EXPECT_NE(answer(get(path)).find("frame-ancestors 'none'; "), std::string::npos) << path;
+}
+
 // --- The WebSocket handshake.
 
 TEST_F(HttpTest, ValidatesWebSocketHandshakes) {

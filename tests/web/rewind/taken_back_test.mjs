@@ -51,6 +51,7 @@ test("continue from here asks first; then the robot is in the past until Resume"
     await page.click("#past-seek");
     await page.waitForSelector("#ask-seek[open]");
     assert.match(await page.textContent("#ask-seek-text"), /0:25\.000, epoch 0.*Programs stop/);
+    assert.equal(await page.evaluate(() => document.activeElement.textContent), "Cancel");
     await page.keyboard.press("Escape");
     await page.waitForSelector("#ask-seek:not([open])", { state: "attached" });
     assert.equal(played.asked("seek").length, 0);

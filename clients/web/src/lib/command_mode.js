@@ -15,10 +15,11 @@ export const kFunctions = [
 
 export const kStatusNames = ["blank", "tool configuration", "joint variables", "error counters", "encoder positions", "switches", "tool opening"];
 
-// Controls that use letter keys themselves: text inputs and lists, but not checkboxes.
+// Controls that use letter keys themselves: text inputs and lists, but not checkboxes. The target of an event in a shadow root, as
+// the editor of programs has, is its host.
 const kTakesLetters = `textarea, select, [contenteditable],
   input:not([type="checkbox"], [type="radio"], [type="range"], [type="file"], [type="button"])`;
-export const isTyping = (target) => target.closest?.(kTakesLetters);
+export const isTyping = (target) => (target.shadowRoot?.activeElement ?? target).closest?.(kTakesLetters);
 
 /**
  * Removes the focus from a list after a selection by mouse, so that keys reach command mode again.

@@ -4,9 +4,10 @@
 import { basicSetup, EditorView } from "codemirror";
 import { indentWithTab } from "@codemirror/commands";
 import { python } from "@codemirror/lang-python";
-import { indentUnit } from "@codemirror/language";
+import { HighlightStyle, indentUnit, syntaxHighlighting } from "@codemirror/language";
 import { EditorSelection, EditorState, Prec } from "@codemirror/state";
 import { keymap } from "@codemirror/view";
+import { tags } from "@lezer/highlight";
 
 const theme = EditorView.theme({
   "&": { height: "100%", fontSize: "13px", color: "var(--ink)", backgroundColor: "var(--sheet)" },
@@ -17,7 +18,20 @@ const theme = EditorView.theme({
   ".cm-gutters": { backgroundColor: "var(--sunk)", color: "var(--soft)", border: "none" },
   ".cm-activeLine, .cm-activeLineGutter": { backgroundColor: "var(--hover)" },
   "&.cm-focused .cm-selectionBackground, .cm-selectionBackground": { backgroundColor: "var(--select) !important" },
+  ".cm-tooltip, .cm-panels": { color: "var(--ink)", backgroundColor: "var(--sunk)", borderColor: "var(--line)" },
+  ".cm-tooltip.cm-tooltip-autocomplete > ul > li[aria-selected]": { color: "var(--ink)", backgroundColor: "var(--select)" },
+  ".cm-textfield, .cm-button": { color: "var(--ink)", backgroundColor: "var(--sheet)", backgroundImage: "none", borderColor: "var(--edge)" },
 });
+
+/** The colours of the page, in place of those of CodeMirror, which suit a white ground only. */
+const colours = syntaxHighlighting(HighlightStyle.define([
+  { tag: tags.keyword, color: "var(--past)" },
+  { tag: [tags.string, tags.special(tags.string)], color: "var(--good)" },
+  { tag: [tags.number, tags.bool, tags.null], color: "var(--focus)" },
+  { tag: [tags.definition(tags.function(tags.variableName)), tags.className], color: "var(--other)" },
+  { tag: tags.comment, color: "var(--soft)" },
+  { tag: tags.invalid, color: "var(--alarm)" },
+]));
 
 /**
  * @param {HTMLElement} host
@@ -27,8 +41,8 @@ export function openEditor(host, { onChange, onRun }) {
   const root = host.attachShadow({ mode: "open" });
   const run = Prec.highest(keymap.of([{ key: "Mod-Enter", run: () => (onRun(), true) }]));
   const changed = EditorView.updateListener.of(({ docChanged, state }) => docChanged && onChange(state.doc.toString()));
-  const name = EditorView.contentAttributes.of({ "aria-label": "Program in Python" });
-  const extensions = [run, basicSetup, python(), keymap.of([indentWithTab]), indentUnit.of("    "), theme, changed, name];
+  const name = EditorView.contentAttributes.of({ "aria-label": "Program in Python", tabindex: "0" });
+  const extensions = [run, basicSetup, python(), keymap.of([indentWithTab]), indentUnit.of("    "), theme, colours, changed, name];
   const view = new EditorView({ parent: root, root });
   /** Of files that are not shown: cursor, and what can be undone. @type {WeakMap<object, EditorState>} */
   const states = new WeakMap();

@@ -42,6 +42,7 @@ export class PastNotice {
     setText(byId("ask-seek-text"), `The robot goes back to ${placeText(this.asked)}. Programs stop: their lines stay open, but their bytes are not read ` +
       "until you press Resume. Resume then drops what came after that moment.");
     this.dialog.showModal();
+    byId("ask-seek-cancel").focus(); // browsers complain about `autofocus` in a frame of another site
   }
 
   /** Shows where a branch is. @param {{cell: string, robot_port: number, token?: string}} branch the value of the call `branch` */
