@@ -79,7 +79,7 @@ async function bundleOffline() {
 await rm(join(out, isHere ? "assets" : ""), { recursive: true, force: true });
 await mkdir(join(out, "assets"), { recursive: true });
 await build({
-  entryPoints: ["src/main.js", "src/style.css", ...(isHere ? ["src/machine/worker.js", "src/program/editor.js"] : [])].map(path),
+  entryPoints: ["src/main.js", "src/style.css", ...(isHere ? ["src/machine/worker.js", "src/machine/server_worker.js", "src/program/editor.js"] : [])].map(path),
   entryNames: "[name]",
   outdir: join(out, "assets"),
   bundle: true,

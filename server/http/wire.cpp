@@ -210,17 +210,20 @@ std::string head_text(unsigned status, const std::vector<Field>& fields, std::si
   return text.str();
 }
 
-std::string content_policy(const std::vector<std::string>& frame_origins) {
+std::string page_policy(const std::vector<std::string>& frame_origins) {
   std::string ancestors = frame_origins.empty() ? " 'none'" : "";
   for (const std::string& origin : frame_origins) ancestors += " " + origin;
-  return "default-src 'self'; frame-ancestors" + ancestors + "; base-uri 'none'";
+  return "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self' blob:; "
+         "frame-ancestors" +
+         ancestors + "; base-uri 'none'";
 }
 
 const std::vector<Field>& safety_fields() {
-  static const std::vector<Field> fields{{"Cache-Control", "no-store"},
-                                         {"X-Content-Type-Options", "nosniff"},
-                                         {"Cross-Origin-Resource-Policy", "same-origin"},
-                                         {"Content-Security-Policy", content_policy({})}};
+  static const std::vector<Field> fields{
+      {"Cache-Control", "no-store"},
+      {"X-Content-Type-Options", "nosniff"},
+      {"Cross-Origin-Resource-Policy", "same-origin"},
+      {"Content-Security-Policy", "default-src 'self'; frame-ancestors 'none'; base-uri 'none'"}};
   return fields;
 }
 

@@ -76,8 +76,9 @@ HeadReading read_head(std::string_view received);
 std::string head_text(unsigned status, const std::vector<Field>& fields, std::size_t body_bytes,
                       Then then);
 
-/// The Content-Security-Policy of a response that pages of these origins alone may show in a frame.
-std::string content_policy(const std::vector<std::string>& frame_origins);
+/// The Content-Security-Policy of a page that pages of these origins alone may show in a frame. It
+/// may compile WebAssembly (Python), and start workers from texts, which inherit it.
+std::string page_policy(const std::vector<std::string>& frame_origins);
 
 /// The security-related fields of every response.
 const std::vector<Field>& safety_fields();

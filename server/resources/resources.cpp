@@ -235,7 +235,7 @@ Answer HttpResources::page(const HttpRequest& request) const {
     if (auto refused = refuse_cell(request)) return *std::move(refused);
   std::vector<http::Field> fields;
   if (is_root)
-    fields = {{"Content-Security-Policy", http::content_policy(policy_.frame_origins())}};
+    fields = {{"Content-Security-Policy", http::page_policy(policy_.frame_origins())}};
   const WebAsset asset = find_web_asset(is_root ? "/index.html" : is_icon ? kIcon : path);
   if (!asset.type.empty())
     return {200, std::string(asset.type), http::Body::of_static(asset.bytes), std::move(fields)};

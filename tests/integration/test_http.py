@@ -17,6 +17,8 @@ RESOURCES = {"/": "text/html; charset=utf-8", "/healthz": "text/plain; charset=u
              "/camera.pbm": "image/x-portable-bitmap", "/view.svg": "image/svg+xml"}
 SAFETY = {"x-content-type-options": "nosniff", "cross-origin-resource-policy": "same-origin",
           "content-security-policy": "default-src 'self'; frame-ancestors 'none'; base-uri 'none'"}
+PAGE_POLICY = ("default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self' blob:; frame-ancestors 'none'; "
+               "base-uri 'none'")
 GET = b"GET /healthz HTTP/1.1\r\nHost: localhost\r\n\r\n"
 
 
@@ -38,7 +40,8 @@ class Resources(unittest.TestCase):
                     status, fields, body = curl(xr3, path)
                     self.assertEqual((200, kind), (status, fields["content-type"]))
                     self.assertEqual(len(body), int(fields["content-length"]))
-                    self.assertEqual(SAFETY, {name: fields.get(name) for name in SAFETY})
+                    safety = {**SAFETY, "content-security-policy": PAGE_POLICY} if path == "/" else SAFETY
+                    self.assertEqual(safety, {name: fields.get(name) for name in SAFETY})
                     self.assertFalse([name for name in fields if name.startswith("access-control")])
                     status, head, nothing = curl(xr3, path, "--head")
                     self.assertEqual((200, fields["content-type"], b""), (status, head["content-type"], nothing))

@@ -1,6 +1,6 @@
 // The page of one cell. Messages from the server update `known` and all panels; user actions
 // become calls. The page uses only the public monitor protocol.
-import { connection, earlyRefusals, firstHello, machine, onConnection } from "./start.js";
+import { connection, earlyRefusals, firstHello, machine, onConnection, programs } from "./start.js";
 import { connectSections } from "./app/sections.js";
 import { connectSplitters } from "./app/splitters.js";
 import { Drawer } from "./app/drawer.js";
@@ -174,12 +174,13 @@ new CommandMode({ run, old, known });
 byId("home").onclick = () => call("home");
 byId("reset").onclick = () => call("reset");
 byId("outlines").onchange = (event) => camera.setOutlines(event.target.checked);
-const program = isHere ? new ProgramPanel({ machine, given: givenHere(), showError, openTab: () => drawer.choose("tab-program"), offer: (text, action) => messages.show(text, action) }) : null;
+const program = programs ? new ProgramPanel({ machine: programs, given: isHere ? givenHere() : Promise.resolve({ origin: "" }), showError, openTab: () => drawer.choose("tab-program"), offer: (text, action) => messages.show(text, action) }) : null;
 if (isHere) keepForOffline((text, action) => messages.show(text, action));
 byId("save-recording").hidden = !isHere;
 byId("save-recording").onclick = () => machine.save().then((text) => download("robot.xr3rec", text, "application/octet-stream")).catch(showError);
 if (isHere) connectOpenRecording({ machine, onOpened: showOpened, onError: showError });
 if (isHere) connectCopyLink({ getModel: () => connection.get("model"), getFirst: () => known.firstModel, isOpened: () => machine.isOpened, getProgram: () => shortest(program.store.program), showMessage, onError: showError });
+if (!programs) byId("tab-program").remove();
 byId("stop-motors").onclick = () => mover.drive.stop().catch(showError);
 const drawer = new Drawer((panel) => {
   if (panel === "program-panel") program?.show();

@@ -3,7 +3,9 @@
 import { Connection } from "./lib/connection.js";
 import { showChip } from "./lib/chip.js";
 import { byId } from "./lib/dom.js";
+import { folder } from "./lib/folder.js";
 import { Machine } from "./machine/machine.js";
+import { ServerPrograms } from "./machine/server_programs.js";
 import { beginningOf } from "./machine/setup.js";
 import { isHere, sharedHere } from "./lib/here.js";
 import { cellOfPath, pathOfCell } from "./lib/place.js";
@@ -52,3 +54,13 @@ if (asked) history.replaceState(null, "", pathOfCell(asked) + location.hash);
 connection.cell = cellOfPath(location.pathname);
 connection.token = takeFromAddress() ?? kept();
 connection.open();
+
+/** Those of a server need its folder. */
+async function findPrograms() {
+  if (isHere) return machine;
+  const sites = await fetch("/sites").then((answer) => answer.json()).catch(() => /** @type {string[]} */ ([]));
+  return sites.includes(folder.pathname) ? new ServerPrograms(serverAddress, () => connection.call("reset")) : null;
+}
+const serverAddress = () => ({ base: location.origin.replace("http", "ws"), cell: connection.cell ?? null, token: connection.token ?? null });
+/** Runs programs in the page; null if it can run none. */
+export const programs = await findPrograms();

@@ -13,7 +13,7 @@ export class Drawer {
   constructor(onShow) {
     this.onShow = onShow;
     this.app = byId("cell-page");
-    document.querySelectorAll(isHere ? ".tabs [data-server]" : ".tabs [data-here]").forEach((tab) => tab.remove());
+    if (isHere) document.querySelectorAll(".tabs [data-server]").forEach((tab) => tab.remove());
     this.tabs = /** @type {HTMLElement[]} */ ([...document.querySelectorAll(".tabs [role=tab]")]);
     const { choose } = rove(this.tabs, (tab) => this.#chosen(tab));
     this.chooseTab = choose;

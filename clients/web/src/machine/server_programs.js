@@ -1,5 +1,6 @@
 // @ts-check
 // Programs in the page that move a server's robot: they run in a worker of their own, and their lines are WebSockets to the server.
+import { folder } from "../lib/folder.js";
 import { startWorker, textOf } from "./start_worker.js";
 
 /** @typedef {import("./machine.js").Program} Program @typedef {import("./machine.js").ProgramListener} ProgramListener */
@@ -16,11 +17,9 @@ export class ServerPrograms {
   worker = null;
 
   /**
-   * @param {URL} folder of the scripts and of Python @param {() => ServerAddress} getServer
-   * @param {() => void} beginAnew resets the robot
+   * @param {() => ServerAddress} getServer @param {() => void} beginAnew resets the robot
    */
-  constructor(folder, getServer, beginAnew) {
-    this.folder = folder;
+  constructor(getServer, beginAnew) {
     this.getServer = getServer;
     this.beginAnew = beginAnew;
   }
@@ -29,11 +28,11 @@ export class ServerPrograms {
   run(program) {
     this.isRunning = true;
     this.worker ??= this.#startWorker();
-    this.worker.postMessage({ begin: { server: this.getServer(), python: String(new URL("python/", this.folder)) } });
+    this.worker.postMessage({ begin: { server: this.getServer(), python: String(new URL("python/", folder)) } });
     this.worker.postMessage({ run: program });
   }
   #startWorker() {
-    const worker = startWorker(String(new URL("assets/server_worker.js", this.folder)));
+    const worker = startWorker(String(new URL("assets/server_worker.js", folder)));
     worker.onmessage = ({ data }) => this.#take(data ?? {});
     worker.onerror = ({ message }) => this.#take({ refused: message || "the worker could not be started" });
     return worker;
@@ -68,6 +67,10 @@ export class ServerPrograms {
     this.isRunning = false;
     this.#endWorker();
     this.listener?.ended({ code: kKilled, goals: [] });
+  }
+  /** A server judges no program. @param {string} _why @returns {Promise<any>} */
+  async judge(_why) {
+    throw new Error("the robot of a server has no goals");
   }
   /** @param {string | undefined} text undefined: the end of input */
   answer(text) {

@@ -2,7 +2,7 @@
 // The menu Examples: programs of the Python package, exercises of the course, and programs that were here before. An exercise
 // brings its robot, workcell, faults and goals along, so the page begins anew with it, after a question.
 import { byId, el } from "../lib/dom.js";
-import { chooseExercise } from "../lib/here.js";
+import { chooseExercise, isHere } from "../lib/here.js";
 import { choiceIn, openBelow } from "../lib/menu.js";
 import { textAt } from "../lib/text_at.js";
 import { exercisesHere } from "../machine/exercise.js";
@@ -39,7 +39,7 @@ export async function connectExamples({ store, onProgram, offer, showError }) {
   /** @param {string} title @param {Node[]} choices */
   const group = (title, choices) => (choices.length > 0 ? [el("h3", {}, title), ...choices] : []);
   try {
-    const [examples, exercises] = await Promise.all([examplesHere(), exercisesHere()]);
+    const [examples, exercises] = await Promise.all([examplesHere(), isHere ? exercisesHere() : []]);
     openBelow(byId("examples-button"), menu, () => [
       ...group("Your earlier programs", store.earlier.map((each) => choiceIn(menu, { name: titleOf(each), act: () => recall(each) }))),
       ...group("Short programs", examples.map((each) => choiceIn(menu, { name: each.title, act: () => open(each) }))),

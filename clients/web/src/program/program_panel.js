@@ -1,7 +1,8 @@
 // @ts-check
-// The panel Program: an editor, Run and Stop, what the program prints, and its goals. The program runs beside the robot, in the
-// worker. Its files are kept in the browser.
+// The panel Program: an editor, Run and Stop, what the program prints, and its goals. The program runs in a worker, beside the robot of
+// the page, or on its own with lines to a server. Its files are kept in the browser.
 import { byId, el, setText } from "../lib/dom.js";
+import { folder } from "../lib/folder.js";
 import { recall, remember } from "../lib/memory.js";
 import { connectExamples } from "./examples_menu.js";
 import { FileTabs } from "./file_tabs.js";
@@ -9,7 +10,7 @@ import { ProgramOutput } from "./output.js";
 import { programOf, troubleOfFiles } from "./program_files.js";
 import { ProgramStore } from "./program_store.js";
 
-/** @typedef {import("../machine/machine.js").Machine} Machine */
+/** @typedef {import("../machine/machine.js").Machine} Machine @typedef {import("../machine/server_programs.js").ServerPrograms} ServerPrograms */
 /** @typedef {import("./program_files.js").Program} Program */
 
 const kStopped = new Set([130, 137]); // at a call; with its worker
@@ -24,7 +25,7 @@ with xr3.Robot() as robot:
 
 export class ProgramPanel {
   /**
-   * @param {{machine: Machine, given: Promise<{program?: Program, origin: string}>, showError: (error: unknown) => void, openTab: () => void,
+   * @param {{machine: Machine | ServerPrograms, given: Promise<{program?: Program, origin: string}>, showError: (error: unknown) => void, openTab: () => void,
    *   offer: (text: string, action?: {name: string, act: () => void}) => void}} parts
    *   `given`: a program that came with a link, and that link; it is shown and not run
    */
@@ -93,7 +94,7 @@ export class ProgramPanel {
     this.opening = true;
     try {
       await this.given;
-      const { openEditor } = await import(/* not in this bundle */ `${new URL("assets/editor.js", document.baseURI)}`);
+      const { openEditor } = await import(/* not in this bundle */ `${new URL("assets/editor.js", folder)}`);
       this.editor = openEditor(byId("program-editor"), { onChange: (/** @type {string} */ text) => this.#keep(text), onRun: () => this.run() });
       this.editor.show(this.store.shown);
     } catch (error) {
