@@ -481,7 +481,7 @@ connection.follow("event");
 
 // For tests and screenshots.
 window.xr3 = {
-  program, judge: (why) => machine.judge(why), known, transcriptLine, scene, paper, plots, teach,
+  program, judge: (why) => machine.judge(why), machine, known, transcriptLine, scene, paper, plots, teach,
   call, disconnect: () => connection.socket?.close(),
   step: (ticks) => call("step", { ticks, fields: [] }),
   tip: () => known.model && tip(known.model.robot, known.state.joints.map((joint) => joint.value)),

@@ -23,8 +23,8 @@ export class Machine {
   tick = 0;
   isRunning = false; // a program
   isOpened = false; // a recording, after the start
-  /** @type {{resolve: (value: any) => void, reject: (error: Error) => void} | null} */
-  waiting = null; // for the result of a copy
+  /** @type {{resolve: (value: any) => void, reject: (error: Error) => void}[]} */
+  waiting = []; // for the results of copies, which come in the order of the questions
   /** @type {ProgramListener | null} */
   listener = null;
 
@@ -81,9 +81,9 @@ export class Machine {
 
   /** @param {{value?: any, error?: unknown}} result */
   #copied({ value, error }) {
-    if (error === undefined) this.waiting?.resolve(value);
-    else this.waiting?.reject(new Error(textOf(error)));
-    this.waiting = null;
+    const asked = this.waiting.shift();
+    if (error === undefined) asked?.resolve(value);
+    else asked?.reject(new Error(textOf(error)));
   }
 
   /** @param {string} why */
@@ -131,7 +131,7 @@ export class Machine {
   }
   #replaceWorker() {
     this.worker?.terminate();
-    this.waiting?.reject(new Error("the robot's worker was ended"));
+    for (const { reject } of this.waiting.splice(0)) reject(new Error("the robot's worker was ended"));
     this.#startWorker(this.#past);
   }
 
@@ -152,7 +152,7 @@ export class Machine {
   /** @param {object} wanted */
   #askCopy(wanted) {
     this.worker?.postMessage(wanted);
-    return new Promise((resolve, reject) => (this.waiting = { resolve, reject }));
+    return new Promise((resolve, reject) => this.waiting.push({ resolve, reject }));
   }
   /** @param {string | undefined} text undefined: the end of input */
   answer(text) {

@@ -37,7 +37,7 @@ export async function connectExamples({ store, onProgram, offer, showError }) {
   /** @param {Earlier} program */
   const recall = (program) => taken(store.recall(program), "the program as you left it");
   /** @param {string} title @param {Node[]} choices */
-  const group = (title, choices) => (choices.length > 0 ? [el("h3", {}, title), ...choices] : []);
+  const group = (title, choices) => (choices.length > 0 ? [el("p", {}, title), ...choices] : []);
   try {
     const [examples, exercises] = await Promise.all([examplesHere(), isHere ? exercisesHere() : []]);
     openBelow(byId("examples-button"), menu, () => [
