@@ -2,16 +2,18 @@
 // The functions that the package xr3_page calls for a Python program in the page: connections, and time. Their list is in
 // python/xr3_page/__init__.py.
 import { MonitorLine, RobotLine } from "./program_lines.js";
-import { Stopped } from "./program_time.js";
 
 /** @typedef {import("./robot.js").Robot} Robot @typedef {import("./program_time.js").ProgramTime} ProgramTime */
 
+/** @typedef {{isGiven: boolean, text: string | undefined}} Answer undefined: the end of input */
+
 const kClosed = -2;
+const kBrowsers = "Chrome or Edge 137, or Firefox 153";
 
 export class ProgramRobot {
   monitor_port = 9601;
 
-  /** @param {Robot} robot @param {ProgramTime} time @param {(prompt: string) => Promise<string | undefined>} ask */
+  /** @param {Robot} robot @param {ProgramTime} time @param {(prompt: string) => Answer} ask */
   constructor(robot, time, ask) {
     this.robot = robot;
     this.time = time;
@@ -48,7 +50,7 @@ export class ProgramRobot {
     const taken = attempt();
     if (taken !== 0 || bytes.length === 0 || timeout === 0) return this.time.after(taken);
     let later = 0;
-    return this.#then(this.time.wait(timeout, () => (later = attempt()) !== 0), () => later);
+    return this.time.wait(timeout, () => (later = attempt()) !== 0, () => later);
   }
 
   /** @param {number} number @param {number} size @param {number} timeout @param {boolean} peek */
@@ -57,12 +59,7 @@ export class ProgramRobot {
     const line = this.#line(number);
     const read = () => (line.waiting() === 0 ? undefined : line.read(size, peek));
     if (line.waiting() !== 0 || timeout === 0) return this.time.after(read());
-    return this.#then(this.time.wait(timeout, () => line.waiting() !== 0), read);
-  }
-
-  /** @template T @param {any} waited @param {() => T} give @returns {T | Promise<T>} */
-  #then(waited, give) {
-    return waited?.then ? waited.then(give) : give();
+    return this.time.wait(timeout, () => line.waiting() !== 0, read);
   }
 
   /** @param {number} number */
@@ -83,7 +80,7 @@ export class ProgramRobot {
   /** @param {number} ms */
   sleep(ms) {
     this.time.touch();
-    return this.time.wait(ms, () => false);
+    return this.time.wait(ms, () => false, () => {});
   }
   now() {
     this.time.touch();
@@ -96,10 +93,8 @@ export class ProgramRobot {
   /** @param {string} prompt */
   ask(prompt) {
     this.time.touch();
-    if (!this.time.canWait) throw new Error("this browser cannot ask while a program runs: input() needs Chrome or Edge 137, or Firefox 153");
-    return this.askUser(prompt).then((answer) => {
-      if (this.time.isStopped) throw new Stopped("stopped");
-      return answer;
-    });
+    if (!this.time.hearing.hearsPage) throw new Error(`this page cannot ask while a program runs: load it again, or use ${kBrowsers}`);
+    const answer = this.askUser(prompt);
+    return this.time.waitForUser(() => answer.isGiven, () => answer.text);
   }
 }

@@ -1,0 +1,82 @@
+// @ts-check
+// The workers of a robot in the page, one after the other, and a spare one, which has loaded Python: if a program must be ended with
+// its worker, Python is there at once.
+import { Mailbox } from "./mailbox.js";
+
+const kLeastMemory = 4; // GB, for a spare worker, which takes some 0.1
+const kIdleWithinMs = 2000;
+
+/** @typedef {{onMessage: (data: any) => void, onError: (why: string) => void}} Listener */
+
+/** A worker. Its messages wait until somebody listens. */
+class RobotWorker {
+  /** @param {boolean} isSpare */
+  constructor(isSpare) {
+    this.mailbox = self.crossOriginIsolated ? new Mailbox() : null;
+    this.worker = startWorker();
+    this.listen({ onMessage: () => {}, onError: () => (this.hasFailed = true) });
+    const memory = this.mailbox?.memory ?? null;
+    this.worker.postMessage({ load: { module: addressOf("xr3.wasm"), python: addressOf("python/"), memory, isSpare } });
+  }
+  hasFailed = false;
+
+  /** @param {Listener} listener */
+  listen({ onMessage, onError }) {
+    this.worker.onmessage = ({ data }) => onMessage(data);
+    this.worker.onerror = ({ message }) => onError(message || "the worker could not be started");
+  }
+  /** @param {object} message */
+  post(message) {
+    this.worker.postMessage(this.mailbox?.post(message) ? { look: true } : message);
+  }
+  /** The worker has emptied the mailbox. */
+  took() {
+    if (this.mailbox?.pass()) this.worker.postMessage({ look: true });
+  }
+  end() {
+    this.worker.onmessage = this.worker.onerror = null; // some are perhaps on their way
+    this.worker.terminate();
+  }
+}
+
+export class Workers {
+  /** @type {RobotWorker | null} */
+  #spare = null;
+
+  /** A worker that waits for {begin}: the spare one, if there is one. @param {Listener} listener */
+  take(listener) {
+    const taken = this.#spare ?? new RobotWorker(false);
+    this.#spare = null;
+    taken.listen(listener);
+    return taken;
+  }
+
+  /** Makes a spare worker when the page has nothing else to do. */
+  prepare() {
+    if (this.#spare || (/** @type {any} */ (navigator).deviceMemory ?? kLeastMemory) < kLeastMemory) return;
+    whenIdle(() => (this.#spare ??= new RobotWorker(true)));
+  }
+}
+
+/** @param {() => void} work */
+function whenIdle(work) {
+  if ("requestIdleCallback" in self) self.requestIdleCallback(work, { timeout: kIdleWithinMs });
+  else setTimeout(work, kIdleWithinMs); // Safari
+}
+
+/** @param {string} file */
+const addressOf = (file) => new URL(file, document.baseURI).href;
+
+/**
+ * The worker comes from a blob that imports its script, so that it inherits the policy of the page on any host: one
+ * from an address of its own would have the policy of that address, and a static host sends none.
+ */
+function startWorker() {
+  const script = addressOf("assets/worker.js");
+  const blob = URL.createObjectURL(new Blob([`import ${JSON.stringify(script)};`], { type: "text/javascript" }));
+  try {
+    return new Worker(blob, { type: "module" });
+  } finally {
+    setTimeout(() => URL.revokeObjectURL(blob), 60_000); // the import is under way
+  }
+}
