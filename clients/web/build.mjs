@@ -11,7 +11,7 @@ import { fileURLToPath } from "node:url";
 const kMaxBundleBytes = 850_000;
 // A static host sends no policy: the page brings its own, which its worker inherits. `wasm-unsafe-eval` compiles
 // WebAssembly; scripts from texts stay forbidden.
-const kPolicy = "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self' blob:; img-src 'self' data: blob:; object-src 'none'; base-uri 'self'; form-action 'none'";
+const kPolicy = "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self' blob:; img-src 'self' data: blob:; font-src 'none'; object-src 'none'; base-uri 'self'; form-action 'none'";
 
 const kPythonLicence = `This folder has Pyodide ${JSON.parse(await readFile(new URL("node_modules/pyodide/package.json", import.meta.url), "utf8")).version}, which is unchanged. It is under the Mozilla Public License 2.0
 (https://www.mozilla.org/MPL/2.0/); its source is at https://github.com/pyodide/pyodide. It contains CPython, under the licence of

@@ -14,7 +14,7 @@ const kShortMs = 4; // a browser's timer takes as long at least
 // (A shared buffer of its own, which any page may have; Atomics.wait needs one.)
 const never = new Int32Array(new WebAssembly.Memory({ initial: 1, maximum: 1, shared: true }).buffer);
 /** @param {number} ms */
-const block = (ms) => Atomics.wait(never, 0, 0, ms);
+export const block = (ms) => Atomics.wait(never, 0, 0, ms);
 
 /** A program that only asks makes more messages than a page can show, so the page answers each beat. */
 class Hearing {

@@ -80,7 +80,7 @@ export class Machine {
 
   /** @param {{recording: string, tick: number} | null} past */
   #startWorker(past) {
-    this.worker = this.workers.take({ onMessage: (data) => this.#take(data ?? {}), onError: (why) => this.#failed(why) });
+    this.worker = this.workers.take({ onMessage: (data) => this.#take(data ?? {}), onError: (why) => this.#failed(why), onFlood: () => this.#flooded() });
     this.worker.post({ begin: { setup: this.setup, past } });
     this.recording = ""; // it comes again
     this.readyState = WebSocket.OPEN;
@@ -147,7 +147,7 @@ export class Machine {
     this.#repeated();
     this.worker.end();
     this.#startWorker(null);
-    this.listener?.output({ stream: "stderr", text: "The new worker could not repeat what the robot has done: the robot begins as at the start.\n" });
+    this.#tell("The new worker could not repeat what the robot has done: the robot begins as at the start.");
   }
   get #past() {
     return { recording: this.recording, tick: this.tick };
@@ -186,6 +186,14 @@ export class Machine {
   #kill() {
     this.#replaceWorker();
     this.#ended({ code: kKilled, goals: [] });
+  }
+  #flooded() {
+    this.#kill();
+    this.#tell("The program was stopped: it has sent more to the page than that can take.");
+  }
+  /** @param {string} text beside the output of the program */
+  #tell(text) {
+    this.listener?.output({ stream: "stderr", text: `${text}\n` });
   }
 
   /** @param {string} state */

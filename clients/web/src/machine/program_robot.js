@@ -12,64 +12,72 @@ const kBrowsers = "Chrome or Edge 137, or Firefox 153";
 
 export class ProgramRobot {
   monitor_port = 9601;
+  // Private: the program has this object.
+  /** @type {Robot} */
+  #robot;
+  /** @type {ProgramTime} */
+  #time;
+  /** @type {(prompt: string) => Answer} */
+  #askUser;
+  /** @type {Map<number, RobotLine | MonitorLine>} */
+  #lines = new Map();
 
   /** @param {Robot} robot @param {ProgramTime} time @param {(prompt: string) => Answer} ask */
   constructor(robot, time, ask) {
-    this.robot = robot;
-    this.time = time;
-    this.askUser = ask;
+    this.#robot = robot;
+    this.#time = time;
+    this.#askUser = ask;
     this.begun = Date.now() / 1000;
-    this.lines = /** @type {Map<number, RobotLine | MonitorLine>} */ (new Map());
   }
 
   open() {
-    return this.#add(new RobotLine(this.robot));
+    return this.#add(new RobotLine(this.#robot));
   }
   open_monitor() {
-    return this.#add(new MonitorLine(this.robot));
+    return this.#add(new MonitorLine(this.#robot));
   }
   /** @param {RobotLine | MonitorLine} line */
   #add(line) {
-    this.time.touch();
-    const number = this.lines.size + 1;
-    this.lines.set(number, line);
+    this.#time.touch();
+    const number = this.#lines.size + 1;
+    this.#lines.set(number, line);
     return number;
   }
   /** @param {number} number */
   #line(number) {
-    const line = this.lines.get(number);
+    const line = this.#lines.get(number);
     if (!line) throw new Error(`there is no line ${number}`);
     return line;
   }
 
   /** @param {number} number @param {Uint8Array} bytes @param {number} timeout */
   send(number, bytes, timeout) {
-    this.time.touch();
+    this.#time.touch();
     const line = this.#line(number);
     const attempt = () => (line.isClosed ? kClosed : line.send(bytes));
     const taken = attempt();
-    if (taken !== 0 || bytes.length === 0 || timeout === 0) return this.time.after(taken);
+    if (taken !== 0 || bytes.length === 0 || timeout === 0) return this.#time.after(taken);
     let later = 0;
-    return this.time.wait(timeout, () => (later = attempt()) !== 0, () => later);
+    return this.#time.wait(timeout, () => (later = attempt()) !== 0, () => later);
   }
 
   /** @param {number} number @param {number} size @param {number} timeout @param {boolean} peek */
   receive(number, size, timeout, peek) {
-    this.time.touch();
+    this.#time.touch();
     const line = this.#line(number);
     const read = () => (line.waiting() === 0 ? undefined : line.read(size, peek));
-    if (line.waiting() !== 0 || timeout === 0) return this.time.after(read());
-    return this.time.wait(timeout, () => line.waiting() !== 0, read);
+    if (line.waiting() !== 0 || timeout === 0) return this.#time.after(read());
+    return this.#time.wait(timeout, () => line.waiting() !== 0, read);
   }
 
   /** @param {number} number */
   waiting(number) {
-    this.time.touch();
-    return this.time.after(this.#line(number).waiting());
+    this.#time.touch();
+    return this.#time.after(this.#line(number).waiting());
   }
   /** @param {number} number */
   finish(number) {
-    this.time.touch();
+    this.#time.touch();
     this.#line(number).finish();
   }
   /** @param {number} number */
@@ -79,12 +87,12 @@ export class ProgramRobot {
 
   /** @param {number} ms */
   sleep(ms) {
-    this.time.touch();
-    return this.time.wait(ms, () => false, () => {});
+    this.#time.touch();
+    return this.#time.wait(ms, () => false, () => {});
   }
   now() {
-    this.time.touch();
-    return this.time.after(this.time.now());
+    this.#time.touch();
+    return this.#time.after(this.#time.now());
   }
   wall() {
     return this.begun;
@@ -92,9 +100,9 @@ export class ProgramRobot {
 
   /** @param {string} prompt */
   ask(prompt) {
-    this.time.touch();
-    if (!this.time.hearing.hearsPage) throw new Error(`this page cannot ask while a program runs: load it again, or use ${kBrowsers}`);
-    const answer = this.askUser(prompt);
-    return this.time.waitForUser(() => answer.isGiven, () => answer.text);
+    this.#time.touch();
+    if (!this.#time.hearing.hearsPage) throw new Error(`this page cannot ask while a program runs: load it again, or use ${kBrowsers}`);
+    const answer = this.#askUser(prompt);
+    return this.#time.waitForUser(() => answer.isGiven, () => answer.text);
   }
 }

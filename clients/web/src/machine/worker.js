@@ -17,7 +17,7 @@
 //   {copied}     {text} of {judge}, the report of `xr3 exec` as if the run ended now, or of {save}, the recording to its end now;
 //                or {error}
 //   {failed}     why there is no robot (any more); {refused} why the program does not run
-import { ByEvents, ByMailbox, Deaf } from "./hearing.js";
+import { block, ByEvents, ByMailbox, Deaf, kSliceMs } from "./hearing.js";
 import { Mailbox } from "./mailbox.js";
 import { Module } from "./module.js";
 import { ProgramRobot } from "./program_robot.js";
@@ -30,6 +30,7 @@ import { Robot } from "./robot.js";
 const kFrameMs = 16;
 const kRestMs = 100; // between two looks while nothing moves
 const kLoadMs = 60_000;
+const kPrintsAtOnce = 50;
 
 const post = self.postMessage.bind(self);
 /** @type {Promise<void>} */
@@ -42,6 +43,7 @@ let folder = ""; // of Python
 /** @type {Promise<Python> | null} */
 let python = null;
 let isPythonThere = false;
+let prints = 0;
 /** @type {(now: () => number) => Robot} */
 let makeRobot;
 /** @type {Robot} */
@@ -106,11 +108,19 @@ function request(text) {
 
 function loadPython() {
   if (python) return python;
-  const loading = Python.load(folder, (stream, text) => post({ output: { stream, text } }));
+  const loading = Python.load(folder, print);
   const late = new Promise((_, reject) => setTimeout(() => reject(new Error("Python could not be loaded within a minute: is the network slow or gone?")), kLoadMs));
   python = Promise.race([loading, late]);
   python.then(() => (isPythonThere = true));
   return python;
+}
+
+/** A program that prints faster than the page can show waits. @param {string} stream @param {string} text */
+function print(stream, text) {
+  post({ output: { stream, text } });
+  if (++prints % kPrintsAtOnce > 0) return;
+  if (time) serve();
+  block(kSliceMs);
 }
 
 /** @param {Program} program */

@@ -6,7 +6,9 @@ import { Mailbox } from "./mailbox.js";
 const kLeastMemory = 4; // GB, for a spare worker, which takes some 0.1
 const kIdleWithinMs = 2000;
 
-/** @typedef {{onMessage: (data: any) => void, onError: (why: string) => void}} Listener */
+const kMostAtOnce = 5000; // messages between two that have the time, which come each 16 ms
+
+/** @typedef {{onMessage: (data: any) => void, onError: (why: string) => void, onFlood?: () => void}} Listener */
 
 /** A worker. Its messages wait until somebody listens. */
 class RobotWorker {
@@ -19,10 +21,15 @@ class RobotWorker {
     this.worker.postMessage({ load: { module: addressOf("xr3.wasm"), python: addressOf("python/"), memory, isSpare } });
   }
   hasFailed = false;
+  sent = 0; // messages since the last that had the time
 
-  /** @param {Listener} listener */
-  listen({ onMessage, onError }) {
-    this.worker.onmessage = ({ data }) => onMessage(data);
+  /** @param {Listener} listener `onFlood`: it sends so much that the page can do nothing else */
+  listen({ onMessage, onError, onFlood = () => {} }) {
+    this.worker.onmessage = ({ data }) => {
+      this.sent = data?.tick === undefined ? this.sent + 1 : 0;
+      if (this.sent > kMostAtOnce) onFlood();
+      else onMessage(data);
+    };
     this.worker.onerror = ({ message }) => onError(message || "the worker could not be started");
   }
   /** @param {object} message */
@@ -45,7 +52,7 @@ export class Workers {
 
   /** A worker that waits for {begin}: the spare one, if there is one. @param {Listener} listener */
   take(listener) {
-    const taken = this.#spare ?? new RobotWorker(false);
+    const taken = this.#spare?.hasFailed === false ? this.#spare : new RobotWorker(false);
     this.#spare = null;
     taken.listen(listener);
     return taken;
