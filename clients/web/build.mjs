@@ -11,7 +11,7 @@ import { fileURLToPath } from "node:url";
 const kMaxBundleBytes = 850_000;
 // A static host sends no policy: the page brings its own, which its worker inherits. `wasm-unsafe-eval` compiles
 // WebAssembly; scripts from texts stay forbidden.
-const kPolicy = "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self' blob:; img-src 'self' data: blob:; object-src 'none'; base-uri 'self'; form-action 'none'";
+const kPolicy = "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self' blob:; img-src 'self' data: blob:; font-src 'none'; object-src 'none'; base-uri 'self'; form-action 'none'";
 
 const kNotice = `xr3 is under the licence MIT. This folder also has, each under its own licence:
 

@@ -34,7 +34,7 @@ test("in a frame of another site the robot moves and a program runs, without sto
   await frame.waitForFunction(() => window.xr3.known.state.joints[2].count !== 0);
   await frame.waitForFunction(() => !window.xr3.known.state.moving);
   await frame.click("#tab-program");
-  await frame.evaluate(() => (window.xr3.program.text = "import xr3\nwith xr3.Robot() as robot:\n    robot.move('E', 20)\n    robot.wait('E')\nprint('moved')"));
+  await frame.evaluate(() => window.xr3.program.store.setText("import xr3\nwith xr3.Robot() as robot:\n    robot.move('E', 20)\n    robot.wait('E')\nprint('moved')"));
   await frame.click("#program-run");
   await frame.waitForFunction(() => document.querySelector("#program-output").textContent.includes("moved"), undefined, { timeout: kLoadMs });
   await showsCount(frame, "E", 20);

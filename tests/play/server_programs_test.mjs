@@ -5,9 +5,8 @@ import { mkdtemp, writeFile } from "node:fs/promises";
 import { readFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { close, ofThePage, open, ready, root, serve } from "../web/bench.mjs";
+import { kViewport, printed, programsOn } from "./programs.mjs";
 
-const kLoadMs = 120_000; // Python, on a busy machine
-const kViewport = { width: 1440, height: 900 };
 const kRoundTripMs = 5;
 
 after(close);
@@ -16,29 +15,15 @@ after(close);
 async function withProgram(options, act, fragment = "") {
   const server = await serve(...options);
   const page = await open(`${server.url}${fragment}`, { viewport: kViewport });
-  const start = (text) => page.evaluate((program) => {
-    window.xr3.program.text = program;
-    window.xr3.program.run();
-  }, text);
-  const end = async () => {
-    await page.waitForFunction(() => /^(Ended|Not run|Stopped)/.test(document.querySelector("#program-state").textContent), undefined, { timeout: kLoadMs });
-    return { state: await page.textContent("#program-state"), output: await page.evaluate(() => [...document.querySelectorAll("#program-output p")].map((line) => line.textContent).join("\n")) };
-  };
-  const run = async (text) => {
-    await start(text);
-    return end();
-  };
   try {
     await ready(page);
-    await act({ server, page, start, end, run });
+    await act({ server, page, ...programsOn(page) });
     assert.deepEqual(ofThePage(page), []);
   } finally {
     await page.context().close();
     await server.stop("SIGKILL");
   }
 }
-
-const printed = (page, text) => page.waitForFunction((wanted) => document.querySelector("#program-output").textContent.includes(wanted), text, { timeout: kLoadMs });
 
 test("a program moves the server's robot by a line of its own, which others see, and which ends with it", () => withProgram([], async ({ server, page, run }) => {
   const { state, output } = await run(readFileSync(`${root}clients/python/2_move_and_wait.py`, "utf8"));
@@ -62,7 +47,7 @@ test("faults of lines act on it; an endless loop is stopped; Reset and run begin
   await printed(page, "begun");
   await page.click("#program-stop");
   assert.equal((await end()).state, "Stopped");
-  await page.evaluate(() => (window.xr3.program.text = "import xr3\nrobot = xr3.connect()\nrobot.go({'F': 20})"));
+  await page.evaluate(() => window.xr3.program.store.setText("import xr3\nrobot = xr3.connect()\nrobot.go({'F': 20})"));
   await page.click("#program-anew");
   assert.equal((await end()).state, "Ended");
   await page.click("#examples-button");

@@ -1,7 +1,8 @@
 // @ts-check
-// The page's side of a robot without a server: starts the worker in which the robot lives, carries the messages of its monitor as a
+// The page's side of a robot without a server: begins the worker in which the robot lives, carries the messages of its monitor as a
 // WebSocket does (lib/connection.js), and runs programs.
-import { startWorker, textOf } from "./start_worker.js";
+import { numberOf, textOf } from "./start_worker.js";
+import { Workers } from "./workers.js";
 
 /** @typedef {import("./setup.js").Beginning} Beginning @typedef {import("./setup.js").Past} Past */
 /** @typedef {import("../program/program_files.js").Program} Program */
@@ -23,8 +24,15 @@ export class Machine {
   tick = 0;
   isRunning = false; // a program
   isOpened = false; // a recording, after the start
-  /** @type {{resolve: (value: any) => void, reject: (error: Error) => void}[]} */
+  /** @type {{resolve: (text: string) => void, reject: (error: Error) => void}[]} */
   waiting = []; // for the results of copies, which come in the order of the questions
+  /** @type {ReturnType<typeof setTimeout> | null} */
+  stopping = null; // the program has been asked to end
+  /** @type {ReturnType<typeof setTimeout> | null} */
+  repeating = null; // the worker repeats the past
+  workers = new Workers();
+  /** @type {(isDeaf: boolean) => void} */
+  onDeaf = () => {}; // the robot does not hear the page, or hears it again
   /** @type {ProgramListener | null} */
   listener = null;
 
@@ -47,57 +55,86 @@ export class Machine {
 
   /** @param {Past | null} past */
   #startWorker(past) {
-    this.worker = startWorker(addressOf("assets/worker.js"));
-    this.worker.onmessage = ({ data }) => this.#take(data);
-    this.worker.onerror = ({ message }) => this.#fail(message || "the worker could not be started");
-    this.worker.postMessage({ begin: { module: addressOf("xr3.wasm"), python: addressOf("python/"), setup: this.setup, past } });
+    this.worker = this.workers.take({ onMessage: (data) => this.#take(data ?? {}), onError: (why) => this.#failed(why), onFlood: () => this.#flooded() });
+    this.worker.post({ begin: { setup: this.setup, past } });
     this.recording = ""; // it comes again
     this.readyState = WebSocket.OPEN;
+    if (past && !past.stands) this.repeating = setTimeout(() => this.#forget(), kRepeatWithinMs);
   }
 
-  // A program may send anything: only texts and numbers are taken.
+  // A program may send anything, also in the robot's name: only texts and numbers are taken.
   /** @param {Record<string, any>} data */
-  #take({ message, anew, recording, tick, beat, failed, python, output, asks, ended, refused, copied, bytes, of }) {
-    if (ended !== undefined || refused !== undefined) this.isRunning = false;
+  #take({ begun, message, anew, recording, tick, beat, took, failed, python, deaf, output, asks, ended, refused, copied, bytes, of }) {
+    if (begun !== undefined) this.#repeated();
     if (anew !== undefined) this.recording = "";
-    if (tick !== undefined) this.tick = Number(tick);
-    if (beat !== undefined) this.worker?.postMessage({ beat });
+    if (tick !== undefined) this.tick = numberOf(tick);
+    if (took !== undefined) this.worker.took();
+    if (beat !== undefined) this.worker.post({ beat: numberOf(beat) });
     if (message !== undefined) this.onmessage({ data: textOf(message) });
-    if (recording !== undefined) this.recording += String(recording);
-    if (failed !== undefined) this.#fail(textOf(failed));
-    if (python !== undefined) this.listener?.python(textOf(python), { bytes: Number(bytes), of: Number(of) });
+    if (recording !== undefined) this.#record(textOf(recording, kMostRecording));
+    if (failed !== undefined) this.#failed(textOf(failed));
+    if (python !== undefined) this.#pythonIs(textOf(python), { bytes: numberOf(bytes), of: numberOf(of) });
+    if (deaf !== undefined && this.isRunning) this.onDeaf(true);
     if (output !== undefined) this.listener?.output({ stream: textOf(output?.stream), text: textOf(output?.text) });
     if (asks !== undefined) this.listener?.asks(textOf(asks));
-    if (ended !== undefined) this.listener?.ended({ code: Number(ended?.code), goals: Array.from(ended?.goals ?? [], Boolean) });
+    if (ended !== undefined) this.#ended({ code: numberOf(ended?.code), goals: goalsOf(ended?.goals) });
     if (refused !== undefined) this.#refused(textOf(refused));
     if (copied !== undefined) this.#copied(copied ?? {});
   }
 
-  /** Python could not be loaded, or has failed: the next run gets a worker that can load it. @param {string} why */
-  #refused(why) {
-    this.#replaceWorker();
-    this.listener?.refused(why);
+  /** @param {string} text */
+  #record(text) {
+    if (this.recording.length < kMostRecording) this.recording += text;
   }
 
-  /** @param {{value?: any, error?: unknown}} result */
-  #copied({ value, error }) {
-    const asked = this.waiting.shift();
-    if (error === undefined) asked?.resolve(value);
-    else asked?.reject(new Error(textOf(error)));
+  /** @param {{text?: unknown, error?: unknown}} result */
+  #copied({ text, error }) {
+    const waiting = this.waiting.shift();
+    if (error === undefined) waiting?.resolve(textOf(text, kMostRecording));
+    else waiting?.reject(new Error(textOf(error)));
   }
+
+  // --- The end of a worker.
 
   /** @param {string} why */
+  #failed(why) {
+    if (this.repeating) this.#forget();
+    else this.#fail(why);
+  }
+  /** @param {string} why */
   #fail(why) {
+    this.#over();
     this.close();
     this.onFailed(why);
   }
 
+  #replaceWorker() {
+    this.worker.end();
+    for (const { reject } of this.waiting.splice(0)) reject(new Error("the robot's worker was ended"));
+    this.#startWorker(this.#past);
+  }
+  #repeated() {
+    clearTimeout(this.repeating);
+    this.repeating = null;
+  }
+  /** The past cannot be repeated: a program has perhaps made it up. */
+  #forget() {
+    this.#repeated();
+    this.worker.end();
+    this.#startWorker(null);
+    this.#tell("The new worker could not repeat what the robot has done: the robot begins as at the start.");
+  }
+  get #past() {
+    return { recording: this.recording, tick: this.tick };
+  }
+
   /** @param {string} text */
   send(text) {
-    this.worker?.postMessage({ request: text });
+    this.worker?.post({ request: text });
   }
   close() {
-    this.worker?.terminate();
+    this.#repeated();
+    this.worker?.end();
     this.readyState = WebSocket.CLOSED;
   }
 
@@ -106,38 +143,60 @@ export class Machine {
   /** @param {Program} program */
   run(program) {
     this.isRunning = true;
-    this.worker?.postMessage({ run: program });
+    this.worker?.post({ run: program });
   }
   /** Begins with another robot like the first one, as at the start. Precondition: no program runs. */
   beginAnew() {
-    this.worker?.postMessage({ anew: true });
+    this.worker?.post({ anew: true });
   }
   /**
    * Stops the program at its next call. If it makes none, its worker is ended, and the robot goes on in another one, which repeats
    * what was recorded.
    */
   stop() {
-    const { worker } = this;
-    worker?.postMessage({ stop: true });
-    setTimeout(() => this.isRunning && this.worker === worker && this.#kill(), kStopWithinMs);
+    if (!this.isRunning) return;
+    this.worker.post({ stop: true });
+    this.stopping ??= setTimeout(() => this.#kill(), kStopWithinMs);
   }
   #kill() {
-    this.isRunning = false;
     this.#replaceWorker();
-    this.listener?.ended({ code: kKilled, goals: [] });
+    this.#ended({ code: kKilled, goals: [] });
   }
-  get #past() {
-    return { recording: this.recording, tick: this.tick };
+  #flooded() {
+    this.#kill();
+    this.#tell("The program was stopped: it has sent more to the page than that can take.");
   }
-  #replaceWorker() {
-    this.worker?.terminate();
-    for (const { reject } of this.waiting.splice(0)) reject(new Error("the robot's worker was ended"));
-    this.#startWorker(this.#past);
+  /** @param {string} text beside the output of the program */
+  #tell(text) {
+    this.listener?.output({ stream: "stderr", text: `${text}\n` });
+  }
+
+  /** @param {string} state @param {{bytes: number, of: number}} loaded */
+  #pythonIs(state, loaded) {
+    if (state === "ready") this.workers.prepare();
+    this.listener?.python(state, loaded);
+  }
+  /** @param {{code: number, goals: boolean[]}} end */
+  #ended(end) {
+    this.#over();
+    this.listener?.ended(end);
+  }
+  /** Python could not be loaded, or has failed: the next run gets a worker that can load it. @param {string} why */
+  #refused(why) {
+    this.#over();
+    this.#replaceWorker();
+    this.listener?.refused(why);
+  }
+  #over() {
+    this.isRunning = false;
+    clearTimeout(this.stopping);
+    this.stopping = null;
+    this.onDeaf(false);
   }
 
   /** The report of `xr3 exec` if the run ended now. @param {string} why why the program failed, or "" @returns {Promise<any>} */
-  judge(why = "") {
-    return this.#askCopy({ judge: { past: this.#past, why } });
+  async judge(why = "") {
+    return JSON.parse(await this.#askCopy({ judge: { past: this.#past, why } }));
   }
   /** Begins with the robot of a recording; rejects, and keeps the present one, if it cannot be repeated. Precondition: no program runs. @param {Beginning} beginning */
   async open(beginning) {
@@ -145,22 +204,26 @@ export class Machine {
     this.setup = beginning.setup;
     this.isOpened = true;
   }
-  /** The recording as a file, which ends now. @returns {Promise<string>} */
+  /** The recording as a file, which ends now. */
   save() {
     return this.#askCopy({ save: { past: this.#past } });
   }
-  /** @param {object} wanted */
+  /** @param {object} wanted @returns {Promise<string>} */
   #askCopy(wanted) {
-    this.worker?.postMessage(wanted);
+    this.worker?.post(wanted);
     return new Promise((resolve, reject) => this.waiting.push({ resolve, reject }));
   }
-  /** @param {string | undefined} text undefined: the end of input */
+  /** @param {string | null} text null: the end of input */
   answer(text) {
-    this.worker?.postMessage({ answer: text });
+    this.worker?.post({ answer: text });
   }
 }
 
 const kStopWithinMs = 300;
+const kRepeatWithinMs = 20_000; // an hour takes less than one second
 const kKilled = 137; // as of a process that was killed
-/** @param {string} file */
-const addressOf = (file) => new URL(file, document.baseURI).href;
+const kMostRecording = 1 << 26;
+const kMostGoals = 1000;
+
+/** @param {unknown} value */
+const goalsOf = (value) => (Array.isArray(value) ? value.slice(0, kMostGoals).map(Boolean) : []);

@@ -1,7 +1,6 @@
 // @ts-check
 // The functions that the package xr3_page calls for a Python program in the page: connections, and time. Their list is in
 // python/xr3_page/__init__.py.
-import { Stopped } from "./program_time.js";
 
 /** @typedef {import("./program_time.js").ProgramTime} ProgramTime */
 /**
@@ -9,80 +8,83 @@ import { Stopped } from "./program_time.js";
  * the end; `finish` ends sending.
  * @typedef {{isOpening: boolean, isClosed: boolean, send: (bytes: Uint8Array) => number, waiting: () => number,
  *   read: (size: number, peek: boolean) => Uint8Array, finish: () => void, close: () => void}} Line
+ * @typedef {{open: () => Line, openMonitor: () => Line}} Connections
  */
+
+/** @typedef {{isGiven: boolean, text: string | undefined}} Answer undefined: the end of input */
 
 const kClosed = -2;
 const kOpenMs = 30_000;
+const kBrowsers = "Chrome or Edge 137, or Firefox 153";
 
 export class ProgramRobot {
   monitor_port = 9601;
+  // Private: the program has this object.
+  /** @type {Connections} */
+  #connections;
+  /** @type {ProgramTime} */
+  #time;
+  /** @type {(prompt: string) => Answer} */
+  #askUser;
+  /** @type {Map<number, Line>} */
+  #lines = new Map();
 
-  /**
-   * @param {{open: () => Line, openMonitor: () => Line}} connect @param {ProgramTime} time
-   * @param {(prompt: string) => Promise<string | undefined>} ask
-   */
-  constructor(connect, time, ask) {
-    this.connect = connect;
-    this.time = time;
-    this.askUser = ask;
+  /** @param {Connections} connections @param {ProgramTime} time @param {(prompt: string) => Answer} ask */
+  constructor(connections, time, ask) {
+    this.#connections = connections;
+    this.#time = time;
+    this.#askUser = ask;
     this.begun = Date.now() / 1000;
-    this.lines = /** @type {Map<number, Line>} */ (new Map());
   }
 
   open() {
-    return this.#add(this.connect.open());
+    return this.#add(this.#connections.open());
   }
   open_monitor() {
-    return this.#add(this.connect.openMonitor());
+    return this.#add(this.#connections.openMonitor());
   }
   /** @param {Line} line */
   #add(line) {
-    this.time.touch();
-    const number = this.lines.size + 1;
-    this.lines.set(number, line);
-    if (!line.isOpening) return number;
-    return this.#then(this.time.wait(kOpenMs, () => !line.isOpening), () => number);
+    this.#time.touch();
+    const number = this.#lines.size + 1;
+    this.#lines.set(number, line);
+    return line.isOpening ? this.#time.wait(kOpenMs, () => !line.isOpening, () => number) : number;
   }
   /** @param {number} number */
   #line(number) {
-    const line = this.lines.get(number);
+    const line = this.#lines.get(number);
     if (!line) throw new Error(`there is no line ${number}`);
     return line;
   }
 
   /** @param {number} number @param {Uint8Array} bytes @param {number} timeout */
   send(number, bytes, timeout) {
-    this.time.touch();
+    this.#time.touch();
     const line = this.#line(number);
     const attempt = () => (line.isClosed ? kClosed : line.send(bytes));
     const taken = attempt();
-    if (taken !== 0 || bytes.length === 0 || timeout === 0) return this.time.after(taken);
+    if (taken !== 0 || bytes.length === 0 || timeout === 0) return this.#time.after(taken);
     let later = 0;
-    return this.#then(this.time.wait(timeout, () => (later = attempt()) !== 0), () => later);
+    return this.#time.wait(timeout, () => (later = attempt()) !== 0, () => later);
   }
 
   /** @param {number} number @param {number} size @param {number} timeout @param {boolean} peek */
   receive(number, size, timeout, peek) {
-    this.time.touch();
+    this.#time.touch();
     const line = this.#line(number);
     const read = () => (line.waiting() === 0 ? undefined : line.read(size, peek));
-    if (line.waiting() !== 0 || timeout === 0) return this.time.after(read());
-    return this.#then(this.time.wait(timeout, () => line.waiting() !== 0), read);
-  }
-
-  /** @template T @param {any} waited @param {() => T} give @returns {T | Promise<T>} */
-  #then(waited, give) {
-    return waited?.then ? waited.then(give) : give();
+    if (line.waiting() !== 0 || timeout === 0) return this.#time.after(read());
+    return this.#time.wait(timeout, () => line.waiting() !== 0, read);
   }
 
   /** @param {number} number */
   waiting(number) {
-    this.time.touch();
-    return this.time.after(this.#line(number).waiting());
+    this.#time.touch();
+    return this.#time.after(this.#line(number).waiting());
   }
   /** @param {number} number */
   finish(number) {
-    this.time.touch();
+    this.#time.touch();
     this.#line(number).finish();
   }
   /** @param {number} number */
@@ -92,12 +94,12 @@ export class ProgramRobot {
 
   /** @param {number} ms */
   sleep(ms) {
-    this.time.touch();
-    return this.time.wait(ms, () => false);
+    this.#time.touch();
+    return this.#time.wait(ms, () => false, () => {});
   }
   now() {
-    this.time.touch();
-    return this.time.after(this.time.now());
+    this.#time.touch();
+    return this.#time.after(this.#time.now());
   }
   wall() {
     return this.begun;
@@ -105,11 +107,9 @@ export class ProgramRobot {
 
   /** @param {string} prompt */
   ask(prompt) {
-    this.time.touch();
-    if (!this.time.canWait) throw new Error("this browser cannot ask while a program runs: input() needs Chrome or Edge 137, or Firefox 153");
-    return this.askUser(prompt).then((answer) => {
-      if (this.time.isStopped) throw new Stopped("stopped");
-      return answer;
-    });
+    this.#time.touch();
+    if (!this.#time.hearing.hearsPage) throw new Error(`this page cannot ask while a program runs: load it again, or use ${kBrowsers}`);
+    const answer = this.#askUser(prompt);
+    return this.#time.waitForUser(() => answer.isGiven, () => answer.text);
   }
 }

@@ -16,21 +16,20 @@ export class Python {
   }
 
   /**
-   * Loads Python for a worker, which sends {python: "loading"} as its bytes come, and {output} of programs. Rejects if for a minute
-   * nothing comes.
-   * @param {string} folder its URL @param {(message: object) => void} post @returns {Promise<Python>}
+   * As load(), but rejects if for a minute nothing comes.
+   * @param {string} folder @param {(stream: "stdout" | "stderr", text: string) => void} print @param {(bytes: number) => void} onBytes
+   * @returns {Promise<Python>}
    */
-  static loadFor(folder, post) {
+  static loadWatched(folder, print, onBytes) {
     return new Promise((resolve, reject) => {
       const silent = () => reject(new Error("Python could not be loaded: for a minute nothing has come. Is the network gone?"));
       let watch = setTimeout(silent, kSilentMs);
       const came = (/** @type {number} */ bytes) => {
         clearTimeout(watch);
         watch = setTimeout(silent, kSilentMs);
-        post({ python: "loading", bytes, of: XR3_PYTHON_BYTES });
+        onBytes(bytes);
       };
-      came(0);
-      Python.load(folder, (stream, text) => post({ output: { stream, text } }), came).then(resolve, reject).finally(() => clearTimeout(watch));
+      Python.load(folder, print, came).then(resolve, reject).finally(() => clearTimeout(watch));
     });
   }
 

@@ -1,7 +1,7 @@
 // @ts-check
 // Programs in the page that move a server's robot: they run in a worker of their own, and their lines are WebSockets to the server.
 import { folder } from "../lib/folder.js";
-import { startWorker, textOf } from "./start_worker.js";
+import { numberOf, startWorker, textOf } from "./start_worker.js";
 
 /** @typedef {import("./machine.js").Program} Program @typedef {import("./machine.js").ProgramListener} ProgramListener */
 /** @typedef {import("./socket_lines.js").ServerAddress} ServerAddress */
@@ -41,10 +41,10 @@ export class ServerPrograms {
   /** @param {Record<string, any>} data */
   #take({ python, output, asks, ended, refused, bytes, of }) {
     if (ended !== undefined || refused !== undefined) this.isRunning = false;
-    if (python !== undefined) this.listener?.python(textOf(python), { bytes: Number(bytes), of: Number(of) });
+    if (python !== undefined) this.listener?.python(textOf(python), { bytes: numberOf(bytes), of: numberOf(of) });
     if (output !== undefined) this.listener?.output({ stream: textOf(output?.stream), text: textOf(output?.text) });
     if (asks !== undefined) this.listener?.asks(textOf(asks));
-    if (ended !== undefined) this.listener?.ended({ code: Number(ended?.code), goals: [] });
+    if (ended !== undefined) this.listener?.ended({ code: numberOf(ended?.code), goals: [] });
     if (refused !== undefined) this.#refused(textOf(refused));
   }
   /** @param {string} why */
@@ -72,7 +72,7 @@ export class ServerPrograms {
   async judge(_why) {
     throw new Error("the robot of a server has no goals");
   }
-  /** @param {string | undefined} text undefined: the end of input */
+  /** @param {string | null} text null: the end of input */
   answer(text) {
     this.worker?.postMessage({ answer: text });
   }

@@ -2,6 +2,8 @@
 // The worker of programs in the page that move a server's robot. Python runs here; its connections are WebSockets to the server, and
 // its time is the wall clock. The page sends {begin}, then {run}, {stop}, and {answer} to what a program asks. The worker sends
 // {python}, {output}, {asks}, {ended} and {refused}, as worker.js.
+import { ByEvents } from "./hearing.js";
+import { printer } from "./printer.js";
 import { ProgramRobot } from "./program_robot.js";
 import { ProgramTime } from "./program_time.js";
 import { Python } from "./python.js";
@@ -17,26 +19,26 @@ let folder = ""; // of Python
 let python = null;
 /** @type {ProgramTime | null} */
 let time = null; // of the program that runs
-/** @type {((text: string | undefined) => void) | null} */
-let answer = null;
+/** @type {import("./program_robot.js").Answer} */
+let answer = { isGiven: true, text: undefined };
 
-/** The clock of a program's time, with the members of a robot that ProgramTime uses. */
+/** The clock of a program's time, in place of a robot's. */
 const wall = { clock: "real", rate: 1, isTimeUp: false, catchUp() {}, get tick() { return performance.now(); } };
+/** There is nothing to serve: in between only messages arrive. */
+const hearing = new ByEvents({ serve() {}, post: (message) => setTimeout(() => hearing.answer(/** @type {any} */ (message).beat)) });
+const wake = () => hearing.wake();
+const connections = { open: () => new SocketLine(server, wake), openMonitor: () => new SocketMonitor(server, wake) };
 
 /** @param {{files: Record<string, string>, name: string}} program */
 async function run(program) {
   try {
-    python ??= Python.loadFor(folder, post);
+    python ??= Python.loadWatched(folder, printer(post, () => {}), (bytes) => post({ python: "loading", bytes, of: XR3_PYTHON_BYTES }));
     const its = await python;
     if (!its.canWait) throw new Error(kNoWait);
     post({ python: "ready" });
-    const now = new ProgramTime(wall, true, () => {}, () => new Promise((resolve) => setTimeout(resolve)));
-    time = now;
-    const wake = () => now.wake();
-    const lines = { open: () => new SocketLine(server, wake), openMonitor: () => new SocketMonitor(server, wake) };
+    time = new ProgramTime(wall, hearing);
     const environ = { XR3_HOST: "robot", XR3_PORT: "9600", XR3_MONITOR_PORT: "9601" };
-    const code = await its.run(new ProgramRobot(lines, now, ask), { ...program, environ });
-    post({ ended: { code, goals: [] } });
+    post({ ended: { code: await its.run(new ProgramRobot(connections, time, ask), { ...program, environ }) } });
   } catch (failure) {
     post({ refused: /** @type {Error} */ (failure).message });
   } finally {
@@ -44,26 +46,16 @@ async function run(program) {
   }
 }
 
-/** @param {string} prompt @returns {Promise<string | undefined>} */
+/** @param {string} prompt */
 function ask(prompt) {
   post({ asks: prompt });
-  return new Promise((resolve) => (answer = resolve));
-}
-
-/** @param {string | undefined} text */
-function answered(text) {
-  answer?.(text);
-  answer = null;
-}
-
-function stop() {
-  if (time) time.isStopped = true;
-  answered(undefined);
+  answer = { isGiven: false, text: undefined };
+  return answer;
 }
 
 self.addEventListener("message", ({ data }) => {
   if (data.begin) ({ server, python: folder } = data.begin);
   if (data.run) run(data.run);
-  if (data.stop) stop();
-  if ("answer" in data) answered(data.answer);
+  if (data.stop && time) time.isStopped = true;
+  if ("answer" in data) Object.assign(answer, { isGiven: true, text: data.answer ?? undefined });
 });

@@ -15,6 +15,10 @@ export function startWorker(script) {
   }
 }
 
+// A program may send anything: only texts and numbers are taken.
+
 const kMostText = 1 << 24;
-/** A text of a worker, where a program may send anything. @param {unknown} value */
-export const textOf = (value) => String(value).slice(0, kMostText);
+/** @param {unknown} value @param {number} most */
+export const textOf = (value, most = kMostText) => (typeof value === "string" ? value.slice(0, most) : "");
+/** @param {unknown} value */
+export const numberOf = (value) => (Number.isFinite(value) ? Number(value) : 0);

@@ -1,51 +1,68 @@
 // @ts-check
-// The worker in which the robot of a page lives, and a program that moves it. The page sends {begin} first, and then
-// {request}, the text of a request to the monitor, {run} and {stop} for a program, {answer} to what a program asks, {judge} and
-// {save}, {anew} for another robot like the first one, and {open} for that of a recording.
+// The worker in which the robot of a page lives, and a program that moves it. The page sends {load} first, the addresses of what it
+// needs; a spare worker also loads Python then, and waits. {begin} makes the robot. Then come
+//   {request}    the text of a request to the monitor
+//   {run} and {stop} for a program, {answer} to what a program asks, {beat}, which answers one of the worker
+//   {judge} and {save}; {anew} for another robot like the first one, and {open} for that of a recording
+//   {look}       there are messages in the mailbox
 // The worker sends
+//   {begun}      the robot is there, and has repeated its past
 //   {message}    the text of a message from the monitor
 //   {recording}  what the recording has got; {tick} the time
 //   {anew}       what comes is of another robot
-//   {python}     "loading", with {bytes} of {of} that have come, or "ready"
+//   {python}     "loading", with {bytes} of {of} that have come, or "ready"; {deaf} the page is not heard until the program has ended
 //   {output}     {stream, text} of the program; {asks} what it asks the user
-//   {beat}       a number that the page sends back
+//   {beat}       a number that the page sends back; {took} the mailbox is empty
 //   {ended}      the exit code of the program, and whether each goal is met
-//   {copied}     {value} of {judge}, the report of `xr3 exec` as if the run ended now, of {save}, the recording to its end now, or of
-//                {open}; or {error}
+//   {copied}     {text} of {judge}, the report of `xr3 exec` as if the run ended now, of {save}, the recording to its end now, or
+//                of {open}; or {error}
 //   {failed}     why there is no robot (any more); {refused} why the program does not run
+import { ByEvents, ByMailbox, Deaf } from "./hearing.js";
+import { Mailbox } from "./mailbox.js";
 import { Module } from "./module.js";
+import { printer } from "./printer.js";
 import { MonitorLine, RobotLine } from "./program_lines.js";
 import { ProgramRobot } from "./program_robot.js";
 import { ProgramTime } from "./program_time.js";
 import { Python } from "./python.js";
 import { Robot } from "./robot.js";
 
-/** @typedef {{files: Record<string, string>, name: string}} Program @typedef {import("./setup.js").Past} Past */
+/** @typedef {{files: Record<string, string>, name: string}} Program @typedef {import("./program_robot.js").Answer} Answer
+ * @typedef {import("./setup.js").Past} Past */
 
 const kFrameMs = 16;
 const kRestMs = 100; // between two looks while nothing moves
 
 const post = self.postMessage.bind(self);
+/** @type {Promise<void>} */
+let loaded;
 /** @type {Module} */
 let module;
+/** @type {Mailbox | null} */
+let mailbox = null;
+let folder = ""; // of Python
+/** @type {Promise<Python> | null} */
+let python = null;
+let isPythonThere = false;
+let isAwaited = false; // Python, by a program
 let setup = {}; // of the robot
 /** @type {Robot} */
 let robot;
 let page = 0; // the monitor of the page
-/** @type {Promise<void>} */
-let begun;
-let folder = ""; // of Python
 /** @type {ReturnType<typeof setTimeout>} */
 let timer;
-/** @type {Promise<Python> | null} */
-let python = null;
 /** @type {ProgramTime | null} */
 let time = null; // of the program that runs
-/** @type {((text: string | undefined) => void) | null} */
-let answer = null;
-let beat = 0;
-/** @type {(() => void) | null} */
-let goOn = null;
+/** @type {Answer} */
+let answer = { isGiven: true, text: undefined };
+
+/** @param {{module: string, python: string, memory: SharedArrayBuffer | null, isSpare: boolean}} parts */
+async function load(parts) {
+  mailbox = parts.memory && new Mailbox(parts.memory);
+  module = await Module.load(parts.module);
+  folder = parts.python;
+  if (parts.isSpare) loadPython().catch(() => {}); // the run that needs it fails
+}
 
 const wall = () => performance.now();
 /** A robot of the setup. @param {() => number} now @param {Past | null} past it is repeated */
@@ -60,12 +77,11 @@ function makeRobot(now, past, its = setup) {
   }
 }
 
-/** @param {{module: string, python: string, setup: object, past: Past | null}} parts */
-async function begin(parts) {
-  module = await Module.load(parts.module);
-  setup = parts.setup;
-  robot = makeRobot(wall, parts.past);
-  folder = parts.python;
+/** @param {import("./setup.js").Beginning} beginning */
+function begin(beginning) {
+  setup = beginning.setup;
+  robot = makeRobot(wall, beginning.past);
+  post({ begun: true });
   page = robot.addMonitor();
   turn();
 }
@@ -109,13 +125,24 @@ function request(text) {
 
 // --- Programs.
 
+const showLoaded = (/** @type {number} */ bytes) => post({ python: "loading", bytes, of: XR3_PYTHON_BYTES });
+
+function loadPython() {
+  if (python) return python;
+  python = Python.loadWatched(folder, printer(post, () => time && serve()), (bytes) => isAwaited && showLoaded(bytes));
+  python.then(() => (isPythonThere = true));
+  return python;
+}
+
 /** @param {Program} program */
 async function run(program) {
   try {
-    python ??= Python.loadFor(folder, post);
-    const its = await python;
+    isAwaited = true;
+    if (!isPythonThere) showLoaded(0);
+    const its = await loadPython();
     post({ python: "ready" });
-    time = new ProgramTime(robot, its.canWait, serve, heard);
+    time = new ProgramTime(robot, hearingOf(its));
+    if (!time.hearing.hearsPage) post({ deaf: true });
     const environ = { XR3_HOST: "robot", XR3_PORT: "9600", XR3_MONITOR_PORT: "9601", ...(robot.clock === "bytes" ? { XR3_POLL_MS: "0" } : {}) };
     const code = await its.run(new ProgramRobot({ open: () => new RobotLine(robot), openMonitor: () => new MonitorLine(robot) }, time, ask), { ...program, environ });
     serve();
@@ -127,50 +154,33 @@ async function run(program) {
   }
 }
 
-/**
- * A program that only asks makes more messages than a page can show, so the page answers each {beat}, and the program waits if two
- * were not answered.
- * @returns {Promise<void>}
- */
-function heard() {
-  post({ beat: ++beat });
-  return new Promise((resolve) => (goOn = resolve));
+/** @param {Python} its */
+function hearingOf({ canWait }) {
+  if (canWait) return new ByEvents({ serve, post });
+  return mailbox ? new ByMailbox({ serve, post }, look) : new Deaf({ serve, post });
 }
 
-/** @param {number} answeredBeat */
-function goesOn(answeredBeat) {
-  if (answeredBeat < beat - 1) return;
-  goOn?.();
-  goOn = null;
-}
-
-/** @param {string} prompt @returns {Promise<string | undefined>} */
+/** @param {string} prompt */
 function ask(prompt) {
   post({ asks: prompt });
-  return new Promise((resolve) => (answer = resolve));
+  answer = { isGiven: false, text: undefined };
+  return answer;
 }
 
 function stop() {
   if (time) time.isStopped = true;
-  answered(undefined);
 }
 
-/** @param {string | undefined} text */
-function answered(text) {
-  answer?.(text);
-  answer = null;
-}
-
-/** Sends the result of `work`, or why there is none. @param {() => any} work */
+/** Sends the text that `work` returns, or why there is none. @param {() => string | void} work */
 function answerPage(work) {
   try {
-    post({ copied: { value: work() } });
+    post({ copied: { text: work() ?? "" } });
   } catch (failure) {
     post({ copied: { error: reasonOf(failure) } });
   }
 }
 
-/** Returns the result of `work` on a copy of the robot; the robot itself goes on. @param {Past} past @param {(copy: Robot) => any} work */
+/** Returns the result of `work` on a copy of the robot; the robot itself goes on. @param {Past} past @param {(copy: Robot) => string} work */
 function useCopy(past, work) {
   const copy = makeRobot(() => 0, past);
   try {
@@ -201,19 +211,33 @@ async function guarded(work) {
   }
 }
 
+/** Takes the messages in the mailbox, which may arrive within `ms`. */
+function look(ms = 0) {
+  const messages = mailbox?.take(ms) ?? [];
+  if (messages.length > 0) post({ took: true });
+  for (const message of messages) guarded(() => take(message));
+}
+
 /** @param {any} data */
-async function take(data) {
-  if (data.begin) return (begun = begin(data.begin));
-  await begun; // what comes before there is a robot waits
+function take(data) {
+  if (data.look) return look();
+  if (data.begin) return begin(data.begin);
   if (data.run) return run(data.run);
   if (data.stop) return stop();
   if (data.anew) return replaceRobot(makeRobot(wall, null));
-  if (data.beat) return goesOn(data.beat);
   if (data.open) return answerPage(() => open(data.open));
-  if (data.judge) return answerPage(() => useCopy(data.judge.past, (copy) => copy.finish(data.judge.why)));
+  if (data.beat) return time?.hearing.answer(data.beat);
+  if (data.judge) return answerPage(() => useCopy(data.judge.past, (copy) => JSON.stringify(copy.finish(data.judge.why))));
   if (data.save) return answerPage(() => useCopy(data.save.past, endedRecording));
-  if ("answer" in data) return answered(data.answer);
+  if ("answer" in data) return Object.assign(answer, { isGiven: true, text: data.answer ?? undefined });
   return request(data.request);
 }
 
-self.addEventListener("message", ({ data }) => guarded(() => take(data)));
+/** What comes before there is a module waits. @param {any} data */
+async function takeLater(data) {
+  if (data.load) return (loaded = load(data.load));
+  await loaded;
+  return take(data);
+}
+
+self.addEventListener("message", ({ data }) => guarded(() => takeLater(data)));

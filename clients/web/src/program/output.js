@@ -18,6 +18,7 @@ export class ProgramOutput {
     /** @type {HTMLElement | null} */
     this.open = null; // the line that has not ended
     this.stream = "";
+    this.isFollowing = false;
   }
 
   clear() {
@@ -27,7 +28,7 @@ export class ProgramOutput {
 
   /** @param {string} stream @param {string} text */
   add(stream, text) {
-    const isAtEnd = this.host.scrollTop + this.host.clientHeight > this.host.scrollHeight - 30;
+    this.#follow();
     if (stream !== this.stream) this.open = null;
     this.stream = stream;
     const lines = text.split("\n");
@@ -36,7 +37,17 @@ export class ProgramOutput {
       if (i < lines.length - 1) this.#end();
     }
     while (this.host.childElementCount > kMostLines) this.host.firstElementChild.remove();
-    if (isAtEnd) this.host.scrollTop = this.host.scrollHeight;
+  }
+
+  /** Scrolls to the end with the next picture, if the end is in sight. (Looking at a height lays out the page: once for all lines till then.) */
+  #follow() {
+    if (this.isFollowing) return;
+    this.isFollowing = true;
+    const isAtEnd = this.host.scrollTop + this.host.clientHeight > this.host.scrollHeight - 30;
+    requestAnimationFrame(() => {
+      this.isFollowing = false;
+      if (isAtEnd) this.host.scrollTop = this.host.scrollHeight;
+    });
   }
 
   /** @param {string} text @param {boolean} isLast */
