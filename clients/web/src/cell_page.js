@@ -38,7 +38,7 @@ import { isSooner } from "./rewind/axis.js";
 import { connectOpenRecording } from "./machine/open_recording.js";
 import { connectCopyLink } from "./machine/copy_link.js";
 import { keepForOffline } from "./machine/offline_page.js";
-import { givenHere, isHere } from "./lib/here.js";
+import { givenHere, isHere, sharedHere } from "./lib/here.js";
 import { isOverview } from "./lib/place.js";
 import { pastStates } from "./plots/past_states.js";
 import { textOf } from "./lib/refusal.js";
