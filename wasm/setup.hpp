@@ -22,10 +22,10 @@ struct PageSetup {
 /// ("real", "manual", "bytes" or "bytes:INQUIRY_MS"; default "real"), `vary`? (a variation of the
 /// blocks, as `xr3 exec --vary` takes it) and `compat`? ("paper" or "mark3"; default "paper"). The
 /// second to the fifth are contents of files, robot and workcell in either form; without a workcell
-/// the table is empty. Instead of all but `product` and `goals` it may have `recording`, a recording
-/// or the first line of one, of a robot without a physical controller. Throws DataError with all
-/// findings in a file, each of which names the file by the member, and std::invalid_argument if
-/// another member or the object itself is wrong.
+/// the table is empty. Instead of all but `product` and `goals` it may have `recording`, which is a
+/// recording, or the first line of one, of a robot without a physical controller. Throws DataError
+/// with all findings in a file, each of which names the file by the member, and
+/// std::invalid_argument if another member or the object itself is wrong.
 PageSetup read_setup(std::string_view json);
 
 }  // namespace xr3

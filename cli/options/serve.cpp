@@ -231,9 +231,7 @@ void add_access(CLI::App& serve, ServeOptions& options) {
             "origin of pages that may connect, such as https://page.lab; several with commas",
             check_origin);
   add_names(serve, "--allow-frame", options.allow_frames, "ORIGIN",
-            "origin of pages that may show this one in a frame, for a robot that anybody may move; "
-            "several with commas",
-            check_frame);
+            "origin of pages that may show this page in a frame; several with commas", check_frame);
   add_flag(serve, "--insecure", options.is_insecure,
            "allow other machines without a token: anyone who can connect can control the robot");
 }

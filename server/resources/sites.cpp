@@ -71,8 +71,8 @@ std::string policy_of_page(std::string_view html) {
 /// permission for the documentation to frame it.
 std::string policy_of_robot(std::string_view) {
   return "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self' blob:; "
-         "img-src 'self' data: blob:; object-src 'none'; base-uri 'self'; form-action 'none'; "
-         "frame-ancestors 'self'";
+         "img-src 'self' data: blob:; font-src 'none'; object-src 'none'; base-uri 'self'; "
+         "form-action 'none'; frame-ancestors 'self'";
 }
 
 // --- Sites.

@@ -76,7 +76,7 @@ the same in recordings and snapshots, which may be of earlier versions | core/wo
 the same in recordings and snapshots, which may be of earlier versions | protocol/files/workcell.hpp | kMaxSavedPixels
 the same in recordings and snapshots, which may be of earlier versions | protocol/files/workcell.hpp | kMaxSavedPixels
 the same in recordings and snapshots, which may be of earlier versions | core/camera.hpp | kMaxCameraRows
-a data file | server/files/data_files.cpp | kLargestFile | 1048576
+a data file | server/files/data_files.hpp | kLargestDataFile | 1048576
 a data file | server/files/data_files.cpp | kMaxWaitMs | 1000
 wrong tokens of a connection | server/service/sessions.cpp | kMaxWrongTokens
 wrong tokens of a connection | server/service/wrong_tokens.hpp | kWrongTokenDelay
