@@ -57,6 +57,7 @@ head of an HTTP request | server/http/wire.hpp | kMaxHeadBytes | 1024
 head of an HTTP request | server/http/wire.hpp | kMaxFields
 head of an HTTP request | server/resources/session.cpp | kMaxHeadTime
 head of an HTTP request | server/http/wire.hpp | kMaxTargetBytes | 1024
+a message of a line over WebSocket | server/monitor_port/line_websocket.cpp | kMaxMessage | 1024
 an HTTP connection between requests | server/resources/session.cpp | kKeptAlive
 the history of all cells | server/app.cpp | kHistoryBytes | 1048576
 checkpoints of a cell's history | cell/history/history.hpp | kMaxParts

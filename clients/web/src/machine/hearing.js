@@ -22,13 +22,14 @@ class Hearing {
   #beat = 0;
   #answered = 0;
   #served = performance.now();
+  #rest = kSliceMs; // of wall time until the page is served again
 
   /** @param {Page} page */
   constructor(page) {
     this.page = page;
   }
   get isDue() {
-    return performance.now() - this.#served >= kSliceMs;
+    return performance.now() - this.#served >= this.#rest;
   }
   get isBehind() {
     return this.#answered < this.#beat - 1;
@@ -37,6 +38,12 @@ class Hearing {
     this.page.serve();
     this.page.post({ beat: ++this.#beat });
     this.#served = performance.now();
+  }
+  /** The page has been heard: it gets no more of the time than the program. */
+  heard() {
+    const now = performance.now();
+    this.#rest = Math.max(kSliceMs, now - this.#served);
+    this.#served = now;
   }
   /** The page has taken what was sent before this beat. @param {number} beat */
   answer(beat) {
@@ -82,6 +89,7 @@ export class ByEvents extends Hearing {
     const heard = new Promise((resolve) => (this.#goOn = () => resolve(undefined)));
     this.serve();
     await heard;
+    this.heard();
   }
 }
 
@@ -98,6 +106,7 @@ export class ByMailbox extends Hearing {
       if (!this.isDue) continue;
       this.serve();
       while (this.isBehind) this.look(kSliceMs);
+      this.heard();
     }
     return give();
   }
