@@ -22,14 +22,14 @@ class Hearing {
   #beat = 0;
   #answered = 0;
   #served = performance.now();
-  #rest = kSliceMs; // of wall time until the page is served again
+  #gap = kSliceMs; // of wall time until the page is served again
 
   /** @param {Page} page */
   constructor(page) {
     this.page = page;
   }
   get isDue() {
-    return performance.now() - this.#served >= this.#rest;
+    return performance.now() - this.#served >= this.#gap;
   }
   get isBehind() {
     return this.#answered < this.#beat - 1;
@@ -42,7 +42,7 @@ class Hearing {
   /** The page has been heard: it gets no more of the time than the program. */
   heard() {
     const now = performance.now();
-    this.#rest = Math.max(kSliceMs, now - this.#served);
+    this.#gap = Math.max(kSliceMs, now - this.#served);
     this.#served = now;
   }
   /** The page has taken what was sent before this beat. @param {number} beat */
