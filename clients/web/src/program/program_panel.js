@@ -3,6 +3,7 @@
 // the page, or on its own with lines to a server. Its files are kept in the browser.
 import { byId, el, setText } from "../lib/dom.js";
 import { folder } from "../lib/folder.js";
+import { isHere } from "../lib/here.js";
 import { recall, remember } from "../lib/memory.js";
 import { connectExamples } from "./examples_menu.js";
 import { FileTabs } from "./file_tabs.js";
@@ -68,7 +69,7 @@ export class ProgramPanel {
     else document.querySelector(".drawer").append(this.panel);
     byId("program-button").hidden = !kWide.matches;
     byId("tab-program").hidden = kWide.matches;
-    this.#setOpen(kWide.matches && recall("program.open", true), { isKept: true });
+    this.#setOpen(kWide.matches && recall("program.open", isHere), { isKept: true });
     if (!kWide.matches) this.panel.hidden = byId("tab-program").getAttribute("aria-selected") !== "true";
   }
 
