@@ -50,7 +50,7 @@ async function judgedByExec(exercise, program) {
 /** Resets and runs a program in the page, and judges it as the page does. */
 async function judgedByPage(page, text) {
   await page.evaluate((all) => window.xr3.program.store.setText(all), text);
-  await page.click("#program-anew");
+  await page.click("#program-run");
   try {
     await page.waitForFunction(() => /^(Ended|Not run|Stopped)/.test(document.querySelector("#program-state").textContent), undefined, { timeout: kRunMs });
   } catch (cause) {

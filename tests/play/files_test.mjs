@@ -166,7 +166,12 @@ test("an exercise begins after a question, with its robot, goals and program; an
   await editor(page);
   await shows(page, "Exercise 5");
   assert.deepEqual(await tabs(page), ["speeds.py*"]);
+  await page.waitForFunction(() => /^Exercise: Speeds and two joints .*Goals, 13 points:○/.test(document.querySelector("#program-goals").textContent));
+  assert.ok(await page.isHidden("#program-anew"));
   assert.equal(await page.evaluate(() => window.xr3.judge().then(({ max_points: most }) => most)), 13);
   await choose(page, "examples", "Move and wait");
   await page.waitForFunction(() => window.xr3.program.store.shown.text.endsWith("# mine"));
+  await page.click("#program-goals button:has-text('Leave the exercise')");
+  await page.waitForFunction(() => window.xr3?.known?.model?.robot.name === "Rhino XR-3");
+  assert.ok(await page.isVisible("#program-anew"));
 }));

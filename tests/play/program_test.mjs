@@ -51,7 +51,7 @@ test("goals are judged as xr3 exec judges them, also after another run", { skip:
   await page.waitForFunction(() => /^\d+ of \d+ points/.test(document.querySelector("#program-goals").textContent));
   assert.match(await page.textContent("#program-goals"), new RegExp(`^0 of ${native.max_points} points`));
   await page.evaluate((text) => window.xr3.program.store.setText(text), readFileSync(`${root}clients/python/${name}`, "utf8"));
-  await page.click("#program-anew");
+  await page.click("#program-run");
   assert.equal((await end()).state, "Ended");
   await page.waitForFunction((points) => document.querySelector("#program-goals").textContent.startsWith(`${points} of`), native.points);
   const report = await page.evaluate(() => window.xr3.judge());

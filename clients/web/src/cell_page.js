@@ -63,7 +63,7 @@ const known = {}; // the newest hello, model, state and display, the arrival tim
 
 // --- Connection and calls.
 
-connection.handlers = { onMessage: take, onStatus: onConnection, onTokenRefused: (error) => access.refused(error) };
+connection.handlers = { onMessage: take, onStatus: showConnection, onTokenRefused: (error) => access.refused(error) };
 const messages = new Messages(byId("message"));
 const device = new DeviceNotice({
   host: byId("device"), text: byId("device-text"), button: byId("device-stop"), stop: () => call("device_stop"),
@@ -446,13 +446,19 @@ function showSpot(spot) {
   byId("reads").replaceChildren(el("b", {}, `x ${x} y ${y} z ${z}`), ` mm${spot.name ? ` · ${spot.name}` : ""}`);
 }
 
+/** @param {"open" | "silent" | "lost"} state */
+function showConnection(state) {
+  onConnection(state);
+  status.forget();
+}
+
 /** The status, from all that is known; called with each state and once a second. */
 function showStatus() {
   const { past, hello, state } = known;
   const place = past ? { tick: past.tick, epoch: past.epoch } : null;
   status.show(statusOf({
     connection: byId("status").dataset.connection, state: state && { ...state, tick: timeBar.tickNow() }, place, contest: known.contest ?? null, hz: hello?.tick_hz ?? 1000,
-    names: known.names ?? {}, retryS: connection.retryInS, heardS: (performance.now() - (connection.heardAt ?? 0)) / 1000,
+    names: known.names ?? {}, retryS: connection.retryInS, heardS: (performance.now() - (connection.heardAt ?? 0)) / 1000, quietS: (performance.now() - known.arrival) / 1000,
   }), { mayAct: access.mayCall });
   showMoment(place);
 }

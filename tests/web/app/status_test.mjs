@@ -17,6 +17,13 @@ test("at rest and in motion there is nothing to say", () => {
   assert.deepEqual(statusOf(situation({}, { moving: true })), { kind: "moving", word: "Moving" });
 });
 
+test("with the byte clock, a motion that no program lets pass says so", () => {
+  const bytes = { clock: { mode: "bytes" }, moving: true, joints: [motor("F", 5)] };
+  assert.equal(statusOf(situation({ quietS: 0.2 }, bytes)).word, "Moving");
+  assert.equal(say(statusOf(situation({ quietS: 3 }, bytes))), "Time stands: it passes with the bytes of programs only (byte clock). 5 counts of the base are waiting.");
+  assert.equal(statusOf(situation({ quietS: 3 }, { ...bytes, moving: false })).word, "Ready");
+});
+
 test("each status that stops the robot has one sentence and one action", () => {
   const cases = [
     [situation({ contest: { lines: [4, 7], joint: "shoulder" } }), "other", "Lines 4 and 7 both move the shoulder. Each undoes the other’s work.", "Show line 7"],

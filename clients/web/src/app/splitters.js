@@ -4,16 +4,18 @@ import { recall, remember } from "../lib/memory.js";
 
 const kKeyPx = 16;
 
-/** @typedef {{property: string, isAcross: boolean, low: number, high: () => number}} Split */
+/** `isBefore`: the panel is left of its handle. @typedef {{property: string, isAcross: boolean, isBefore?: boolean, low: number, high: () => number}} Split */
 
 const kSplits = /** @type {Record<string, Split>} */ ({
   inspector: { property: "--inspector", isAcross: true, low: 280, high: () => 480 },
+  program: { property: "--program", isAcross: true, isBefore: true, low: 320, high: () => Math.min(800, innerWidth / 2) },
   drawer: { property: "--drawer", isAcross: false, low: 96, high: () => innerHeight / 2 },
 });
 
 /** @param {string} name @param {HTMLElement} handle */
 function connect(name, handle) {
-  const { property, isAcross, low, high } = kSplits[name];
+  const { property, isAcross, isBefore, low, high } = kSplits[name];
+  const way = isBefore ? -1 : 1; // in which the panel grows, against the axis
   const panel = handle.parentElement;
   const sizeNow = () => (isAcross ? panel.offsetWidth : panel.offsetHeight);
   const set = (/** @type {number} */ wanted) => {
@@ -27,7 +29,7 @@ function connect(name, handle) {
   handle.onpointerdown = (event) => {
     handle.setPointerCapture(event.pointerId);
     const [at, size] = [isAcross ? event.clientX : event.clientY, sizeNow()];
-    handle.onpointermove = (move) => set(size + at - (isAcross ? move.clientX : move.clientY));
+    handle.onpointermove = (move) => set(size + way * (at - (isAcross ? move.clientX : move.clientY)));
   };
   handle.onpointerup = handle.onpointercancel = () => (handle.onpointermove = null);
   handle.ondblclick = () => {
@@ -35,10 +37,10 @@ function connect(name, handle) {
     remember(property, undefined);
   };
   handle.onkeydown = (event) => {
-    const way = { ArrowLeft: 1, ArrowUp: 1, ArrowRight: -1, ArrowDown: -1 }[event.key];
-    if (!way) return;
+    const step = { ArrowLeft: 1, ArrowUp: 1, ArrowRight: -1, ArrowDown: -1 }[event.key];
+    if (!step) return;
     event.preventDefault();
-    set(sizeNow() + way * kKeyPx);
+    set(sizeNow() + way * step * kKeyPx);
   };
 }
 

@@ -8,9 +8,11 @@ import { armStatus, stallText } from "../lib/arm_status.js";
  * @typedef {{kind: Kind, word: string, what?: string, rest?: string, action?: {name: string, act: string}}} Status
  *   `what` and `rest` are the sentence, the first part in bold; `act` names what the button does
  * @typedef {{connection: "connecting" | "open" | "silent" | "lost", state: any, place: {tick: number, epoch: number} | null,
- *   contest: {lines: [number, number], joint: string} | null, hz: number, retryS: number | null, heardS: number,
- *   mayCall: boolean, names: Record<string, string>}} Situation `names`: of the motors, by label
+ *   contest: {lines: [number, number], joint: string} | null, hz: number, retryS: number | null, heardS: number, quietS?: number,
+ *   mayCall: boolean, names: Record<string, string>}} Situation `names`: of the motors, by label; `quietS`: since the last state
  */
+
+const kQuietS = 1; // without a state, while a motor moves
 
 /** 3:32, or 1:02:05 from an hour on. @param {number} ticks @param {number} hz */
 export function clockText(ticks, hz) {
@@ -95,6 +97,9 @@ export function statusOf(now) {
       kind: "other", word: "Two programs", what: `Lines ${one} and ${other} both move the ${contest.joint}.`, rest: "Each undoes the other’s work.",
       action: { name: `Show line ${other}`, act: "contest" },
     };
+  }
+  if (state.clock.mode === "bytes" && state.moving && (now.quietS ?? 0) > kQuietS) {
+    return { kind: "paused", word: "Waiting", what: "Time stands:", rest: `it passes with the bytes of programs only (byte clock). ${waitingText(state, now.names)}` };
   }
   return armStatus(state);
 }

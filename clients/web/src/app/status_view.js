@@ -15,6 +15,11 @@ export class StatusView {
     this.status = { kind: "lost", word: "" };
   }
 
+  /** The chip has been changed by another. */
+  forget() {
+    this.status = { kind: "lost", word: "" };
+  }
+
   /** @param {Status} status @param {{mayAct: boolean}} rights whether the button may be pressed */
   show(status, { mayAct }) {
     const isNew = status.kind !== this.status.kind || status.word !== this.status.word;

@@ -13,11 +13,12 @@ export const sharedHere = async () => (await sharedIn(location.hash)) ?? {};
 
 if (isHere) addEventListener("hashchange", () => location.reload()); // another link in the same tab
 
-/** The program in the address, or with which its exercise begins, and the address. */
+/** The program in the address, or with which its exercise begins, the address, the exercise, and whether there are goals. */
 export async function givenHere() {
-  const { exercise, program } = await sharedHere();
-  if (program === undefined && exercise === undefined) return { origin: "" };
-  return { program: program === undefined ? await starterOf(exercise) : programOf(program), origin: location.hash };
+  const { exercise, program, goals } = await sharedHere();
+  const hasGoals = exercise !== undefined || goals !== undefined;
+  if (program === undefined && exercise === undefined) return { origin: "", hasGoals };
+  return { program: program === undefined ? await starterOf(exercise) : programOf(program), origin: location.hash, exercise, hasGoals };
 }
 
 /** The robots that the page has the files of. @returns {Promise<{name: string, title: string}[]>} */

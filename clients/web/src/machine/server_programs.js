@@ -68,9 +68,9 @@ export class ServerPrograms {
     this.#endWorker();
     this.listener?.ended({ code: kKilled, goals: [] });
   }
-  /** A server judges no program. @param {string} _why @returns {Promise<any>} */
-  async judge(_why) {
-    throw new Error("the robot of a server has no goals");
+  /** A server judges no program. @returns {Promise<any>} */
+  async judge(_why = "") {
+    throw new Error("The robot of a server has no goals.");
   }
   /** @param {string | null} text null: the end of input */
   answer(text) {

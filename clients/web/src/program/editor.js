@@ -42,7 +42,7 @@ export function openEditor(host, { onChange, onRun }) {
   const run = Prec.highest(keymap.of([{ key: "Mod-Enter", run: () => (onRun(), true) }]));
   const changed = EditorView.updateListener.of(({ docChanged, state }) => docChanged && onChange(state.doc.toString()));
   const name = EditorView.contentAttributes.of({ "aria-label": "Program in Python", tabindex: "0" });
-  const extensions = [run, basicSetup, python(), keymap.of([indentWithTab]), indentUnit.of("    "), theme, colours, changed, name];
+  const extensions = [run, basicSetup, python(), keymap.of([indentWithTab]), indentUnit.of("    "), EditorView.lineWrapping, theme, colours, changed, name];
   const view = new EditorView({ parent: root, root });
   /** Of files that are not shown: cursor, and what can be undone. @type {WeakMap<object, EditorState>} */
   const states = new WeakMap();

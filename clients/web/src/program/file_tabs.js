@@ -93,11 +93,17 @@ export class FileTabs {
     const { files, shown, main } = this.store;
     return [
       { name: "Open…", act: () => this.chooser.click() },
-      { name: `Save ${shown.name}`, act: () => download(shown.name, shown.text, "text/x-python") },
+      { name: `Save ${shown.name}`, act: () => this.#save(shown) },
       { name: "Rename…", act: () => this.#rename() },
       ...(files.length > 1 ? [{ name: `Close ${shown.name}`, act: () => this.#close() }] : []),
       ...(shown === main ? [] : [{ name: `Run ${shown.name} from now on`, act: () => this.#setMain(shown) }]),
     ];
+  }
+
+  /** @param {SourceFile} file */
+  #save({ name, text }) {
+    download(name, text, "text/x-python");
+    this.offer(`${name} is saved where this browser keeps downloads.`);
   }
 
   #changed() {

@@ -1,12 +1,14 @@
 // @ts-check
 // The panel Program: an editor, Run and Stop, what the program prints, and its goals. The program runs in a worker, beside the robot of
 // the page, or on its own with lines to a server. Its files are kept in the browser.
-import { byId, el, setText } from "../lib/dom.js";
+import { byId, setText } from "../lib/dom.js";
 import { folder } from "../lib/folder.js";
 import { isHere } from "../lib/here.js";
 import { recall, remember } from "../lib/memory.js";
+import { exercisesHere } from "../machine/exercise.js";
 import { connectExamples } from "./examples_menu.js";
 import { FileTabs } from "./file_tabs.js";
+import { GoalsView } from "./goals_view.js";
 import { ProgramOutput } from "./output.js";
 import { programOf, troubleOfFiles } from "./program_files.js";
 import { ProgramStore } from "./program_store.js";
@@ -26,9 +28,10 @@ with xr3.Robot() as robot:
 
 export class ProgramPanel {
   /**
-   * @param {{machine: Machine | ServerPrograms, given: Promise<{program?: Program, origin: string}>, showError: (error: unknown) => void, openTab: () => void,
+   * @param {{machine: Machine | ServerPrograms, given: Promise<{program?: Program, origin: string, exercise?: string, hasGoals?: boolean}>, showError: (error: unknown) => void, openTab: () => void,
    *   offer: (text: string, action?: {name: string, act: () => void}) => void}} parts
-   *   `given`: a program that came with a link, and that link; it is shown and not run
+   *   `given`: a program that came with a link, and that link; it is shown and not run. With goals, each run begins with the robot as at
+   *   the start.
    */
   constructor({ machine, given, showError, openTab, offer }) {
     this.machine = machine;
@@ -38,7 +41,9 @@ export class ProgramPanel {
     this.offer = offer;
     this.store = new ProgramStore(kFirst, `xr3.program ${location.pathname}${location.search}`);
     this.tabs = new FileTabs({ store: this.store, panel: this.panel, onShow: () => this.#shown(), offer });
-    this.given = given.then((its) => its.program && this.#take(its.program, its.origin)).catch(() => {}); // the page says that the link is damaged
+    this.goals = new GoalsView(byId("program-goals"));
+    this.hasGoals = false;
+    this.given = given.then((its) => this.#takeGiven(its)).catch(() => {}); // the page says that the link is damaged
     connectExamples({ store: this.store, onProgram: () => this.#refresh(), offer, showError });
     this.output = new ProgramOutput(byId("program-output"), (name) => Boolean(this.store.file(name)), (name, line) => this.#goTo(name, line));
     machine.listener = {
@@ -106,6 +111,16 @@ export class ProgramPanel {
 
   // --- Its files.
 
+  /** @param {{program?: Program, origin: string, exercise?: string, hasGoals?: boolean}} given */
+  async #takeGiven({ program, origin, exercise, hasGoals }) {
+    if (program) this.#take(program, origin);
+    if (!hasGoals) return;
+    this.hasGoals = true;
+    byId("program-anew").hidden = true;
+    if (exercise) this.goals.setExercise(await exercisesHere(), exercise);
+    this.goals.ask(await this.machine.judge());
+  }
+
   /** @param {Program} program of a link @param {string} origin */
   #take(program, origin) {
     const isOwn = this.store.takeGiven(program, origin);
@@ -158,9 +173,11 @@ export class ProgramPanel {
     this.isRunning = true;
     this.output.clear();
     this.#setState("Running");
-    byId("program-goals").hidden = true;
     this.#allow();
-    this.given.then(() => this.machine.run(this.store.program));
+    this.given.then(() => {
+      if (this.hasGoals) this.machine.beginAnew();
+      this.machine.run(this.store.program);
+    });
   }
 
   stop() {
@@ -180,13 +197,9 @@ export class ProgramPanel {
 
   /** What `xr3 exec` would say of the run. @param {string} why why the program failed, or "" */
   async #showVerdict(why) {
-    const { points, max_points: most, goals, not_counted: uncounted, outcome, why: reason } = await this.machine.judge(why);
-    const items = goals.map((/** @type {any} */ { met, expected, found, hint }) => el(met ? "li.met" : "li", {}, `${met ? "✓" : "✗"} ${expected}`,
-      ...(met ? [] : [el("span.hint", {}, ` ${found}. ${hint}`)])));
-    if (outcome === "time_up") this.#setState(`Stopped: ${reason}. Reset and run begins anew`);
-    const rest = uncounted ? [el("p.hint", {}, `Not counted: ${uncounted}.`)] : [];
-    byId("program-goals").replaceChildren(el("p", {}, el("b", {}, `${points} of ${most} points`)), el("ul", {}, ...items), ...rest);
-    byId("program-goals").hidden = false;
+    const report = await this.machine.judge(why);
+    if (report.outcome === "time_up") this.#setState(`Stopped: ${report.why}`);
+    this.goals.tell(report);
   }
 
   /** @param {string} why */

@@ -76,7 +76,7 @@ export class FirstSteps {
     return [
       ...(first ? [{ title: `Move the ${first.name}`, what: `The page sends ${first.command}: ${first.counts} counts, ${first.amount}.`, button: "Move", act: move }] : []),
       ...(block ? [{ title: `Pick up ${block.name}`, what: "It takes some seconds. A click on any block offers the same, and to go above it.", button: "Pick", act: grasp }] : []),
-      isHere ? { title: "Run a program", what: "The panel Program has one in Python. Change it, or open an example.", button: "Run", act: run } : { title: "Connect a program", what: `Programs connect to ${addressOf(port)}. In a terminal: xr3 term. In Python: import xr3; robot = xr3.connect()` },
+      isHere ? { title: "Run a program", what: "The panel Program has one in Python. Change it, or open an example or an exercise of the course.", button: "Run", act: run } : { title: "Connect a program", what: `Programs connect to ${addressOf(port)}. In a terminal: xr3 term. In Python: import xr3; robot = xr3.connect()` },
     ];
   }
 
