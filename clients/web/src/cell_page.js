@@ -275,7 +275,8 @@ function takeHello(hello) {
   mover.clear();
   known.contest = null; // its lines may be closed since
   lines.show();
-  if (before) wire.reconnected(isSooner(hello, before)); // then the server has been restarted
+  if (before && isHere) wire.clear(); // another robot is in the page
+  else if (before) wire.reconnected(isSooner(hello, before)); // then the server has been restarted
   rewind.reconnected();
   recallWire();
 }
