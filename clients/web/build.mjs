@@ -57,6 +57,28 @@ async function exercises() {
   }));
 }
 
+/** The package xr3 for completion and Help (src/lib/python_api.js). A test compares docs/python-api.md with the docstrings. */
+async function pythonApi() {
+  const reference = await readFile(path("../../docs/python-api.md"), "utf8");
+  const names = /__all__ = \[(.*?)\]/s.exec(await readFile(path("../../clients/python/xr3/__init__.py"), "utf8"))[1].matchAll(/\w+/g);
+  const api = { xr3: Object.fromEntries([...names].map(([name]) => [name, { args: "", form: name, text: "" }])) };
+  for (const [, heading, code, paragraph] of reference.matchAll(/^####? ([\w.]+)\n\n```python\n(.+?)\n```\n\n(.+?)\n\n/gms)) {
+    const [owner, name] = heading.includes(".") ? heading.split(".") : ["xr3", heading];
+    (api[owner] ??= {})[name] = described(code.replace(/\s+/g, " "), paragraph.replace(/\s+/g, " "));
+  }
+  return api;
+}
+const withoutBrackets = (text) => {
+  const shorter = text.replace(/\[[^[\]]*\]/g, "");
+  return shorter === text ? text : withoutBrackets(shorter);
+};
+/** The arguments of a signature that must be given: neither those with a default nor those with a star. */
+function argumentsOf(form) {
+  const inside = form.startsWith("class ") ? null : /\((.*?)\)/.exec(withoutBrackets(form));
+  return inside ? `(${inside[1].split(", ").filter((each) => !/[=*]/.test(each)).map((each) => each.split(":")[0]).join(", ")})` : "";
+}
+const described = (form, text) => ({ args: argumentsOf(form), form, text: text.split(/(?<=\.) /)[0].replaceAll("`", "") });
+
 /** The bytes that come by fetch() when Python is loaded; scripts are imported. */
 async function pythonBytes() {
   const files = (await readdir(join(out, "python"))).filter((name) => /\.(wasm|zip|json)$/.test(name));
@@ -103,6 +125,7 @@ if (isHere) {
   await writeFile(join(out, "data/robots.json"), JSON.stringify(await robots()));
   await writeFile(join(out, "data/examples.json"), JSON.stringify(await examples()));
   await writeFile(join(out, "data/course.json"), JSON.stringify(await exercises()));
+  await writeFile(join(out, "data/python.json"), JSON.stringify(await pythonApi()));
   await bundleOffline();
 }
 

@@ -175,3 +175,41 @@ test("an exercise begins after a question, with its robot, goals and program; an
   await page.waitForFunction(() => window.xr3?.known?.model?.robot.name === "Rhino XR-3");
   assert.ok(await page.isVisible("#program-anew"));
 }));
+
+const completions = (page, wanted) => page.waitForFunction((text) => {
+  const options = [...document.querySelector("#program-editor").shadowRoot.querySelectorAll(".cm-tooltip-autocomplete [role=option]")].map((option) => option.innerText);
+  return options.some((option) => option.startsWith(text)) && options;
+}, wanted).then((options) => options.jsonValue());
+
+test("the editor completes the names of the package, the methods of its objects, and Python", () => withPanel(async (page) => {
+  const offered = async (program, typed, wanted) => {
+    await page.click("#program-editor");
+    await page.keyboard.press("Control+A");
+    await page.keyboard.press("Delete");
+    await page.keyboard.insertText(program);
+    await page.keyboard.type(typed);
+    return completions(page, wanted);
+  };
+  assert.deepEqual(await offered("import xr3\nrobot = xr3.connect()\n", "robot.m", "move"), ["move(label, counts)"]);
+  await page.waitForFunction(() => document.querySelector("#program-editor").shadowRoot.querySelector(".cm-completionInfo")?.innerText.includes("Starts a move by -128 to 127 counts"));
+  await page.click("#program-editor .cm-tooltip-autocomplete [role=option]");
+  await shows(page, "\nrobot.move");
+  assert.deepEqual(await offered("import xr3\n", "xr3.Po", "Pose"), ["Pose(x, y, z)"]);
+  assert.ok((await offered("with xr3.Robot(port=9600) as arm:\n", "arm.", "pick")).includes("place(pose)"));
+  assert.deepEqual(await offered("seen = robot.look()\n", "seen.pat", "patches"), ["patches()"]);
+  await offered("import xr3\n", "prin", "print");
+}));
+
+test("Help has the functions of the package, finds them by a word or by their title, and says that it finds nothing", () => withPanel(async (page) => {
+  const found = async (words) => {
+    await page.fill("#help-search", words);
+    return page.locator("#help .row:visible dt").allTextContents();
+  };
+  await page.click("#help-button");
+  await page.waitForSelector("#help-python .row");
+  assert.deepEqual(await found("pick"), ["robot.pick(pose)"]);
+  assert.equal((await found("python")).length, await page.locator("#help-python .row").count());
+  assert.equal(await page.textContent("#help-none"), "");
+  assert.deepEqual(await found("qqq"), []);
+  assert.equal(await page.innerText("#help-none"), "Nothing found.");
+}));

@@ -222,7 +222,7 @@ const kKeys = [
   { keys: [], shown: "Ctrl Z", does: "undo in the workcell; with Shift redo", act: () => {} },
   { keys: [], shown: "Esc", does: "let go, drop what waits, close, back to now", act: () => {} },
 ];
-const help = new Help(kKeys, () => firstSteps.show());
+const help = new Help(kKeys, () => firstSteps.show(), Boolean(programs));
 connectKeys(kKeys, () => !old.isOpen && !tipDrag.isUnderWay);
 
 // Without WebGL the rest of the page still works.

@@ -1,11 +1,12 @@
 // @ts-check
-// Help: commands of the line, keys, what each status means, and the documentation. The search leaves the rows in
+// Help: Python and commands of the line, keys, what each status means, and the documentation. The search leaves the rows in
 // which its words occur.
 import commands from "../../../../data/commands.json";
 import { newChip, showChip } from "../lib/chip.js";
 import { byId, el } from "../lib/dom.js";
 import { isHere } from "../lib/here.js";
 import { remember } from "../lib/memory.js";
+import { pythonApi } from "../lib/python_api.js";
 import { kKinds } from "../rewind/event_marks.js";
 import { areKeysOn } from "./keys.js";
 
@@ -19,6 +20,11 @@ const kStatuses = /** @type {[import("../lib/chip.js").Kind, string, string][]} 
 ]);
 const kGroups = /** @type {[string, keyof typeof commands][]} */ ([
   ["Motion", "motion"], ["Switches and lines", "switches_and_lines"], ["Camera, display, settings", "environment"],
+]);
+/** What a first program uses of the Python package: of which class or package, and its names. */
+const kPython = /** @type {[string, string[]][]} */ ([
+  ["xr3", ["connect", "Pose"]],
+  ["Robot", ["pick", "place", "go_to", "go", "move", "wait", "open_jaws", "close_jaws", "home", "soft_home", "look", "ask", "send"]],
 ]);
 /** What the server has beside this page, where it is installed: links, or what to do without it. */
 const kSites = /** @type {{path: string, pages: [string, string][], missing: string}[]} */ ([
@@ -37,8 +43,9 @@ const row = (term, text) => el("div.row", {}, el("dt", {}, term), el("dd", {}, t
 const list = (rows) => el("dl", {}, ...rows);
 
 export class Help {
-  /** @param {Key[]} keys @param {() => void} showFirst shows the things to try at a first visit */
-  constructor(keys, showFirst) {
+  /** @param {Key[]} keys @param {() => void} showFirst shows the things to try at a first visit @param {boolean} hasPrograms */
+  constructor(keys, showFirst, hasPrograms) {
+    this.python = hasPrograms ? byId("help-commands").appendChild(el("section", { id: "help-python" })) : null;
     this.dialog = byId("help");
     byId("help-button").onclick = () => this.open();
     byId("help-close").onclick = () => this.dialog.close();
@@ -69,7 +76,19 @@ export class Help {
     if (this.dialog.open) return;
     this.dialog.showModal();
     byId("help-search").focus();
+    if (this.python) this.#listPython(this.python);
     if (!isHere) this.#listSites().catch(() => {}); // no connection
+  }
+
+  /** @param {HTMLElement} python */
+  async #listPython(python) {
+    const api = await pythonApi();
+    const rows = kPython.filter(([owner]) => owner in api).flatMap(([owner, names]) => names.map((name) => {
+      const { args, form, text } = api[owner][name];
+      return row(el("code", { title: form }, `${owner.toLowerCase()}.${name}${args}`), text);
+    }));
+    python.replaceChildren(el("h3", {}, "Python"), list(rows));
+    this.#search();
   }
 
   async #listSites() {
@@ -79,11 +98,15 @@ export class Help {
     this.pages.replaceChildren(this.pages.children[0], ...lines.map((line) => el("li", {}, line)));
   }
 
+  /** Leaves the rows that have all words, also in the title of their section. */
   #search() {
     const words = byId("help-search").value.trim().toLowerCase().split(/\s+/);
-    for (const each of /** @type {NodeListOf<HTMLElement>} */ (this.dialog.querySelectorAll(".row")))
-      each.hidden = !words.every((/** @type {string} */ word) => each.textContent.toLowerCase().includes(word));
-    for (const each of /** @type {NodeListOf<HTMLElement>} */ (this.dialog.querySelectorAll("section:has(dl)")))
-      each.hidden = !each.querySelector(".row:not([hidden])");
+    for (const each of /** @type {NodeListOf<HTMLElement>} */ (this.dialog.querySelectorAll("section:has(dl)"))) {
+      const title = each.querySelector("h3").textContent;
+      const rows = /** @type {HTMLElement[]} */ ([...each.querySelectorAll(".row")]);
+      for (const row of rows) row.hidden = !words.every((/** @type {string} */ word) => `${title} ${row.textContent}`.toLowerCase().includes(word));
+      each.hidden = rows.every((row) => row.hidden);
+    }
+    byId("help-none").textContent = this.dialog.querySelector(".row:not([hidden])") ? "" : "Nothing found.";
   }
 }

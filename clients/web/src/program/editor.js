@@ -8,6 +8,7 @@ import { HighlightStyle, indentUnit, syntaxHighlighting } from "@codemirror/lang
 import { EditorSelection, EditorState, Prec } from "@codemirror/state";
 import { keymap } from "@codemirror/view";
 import { tags } from "@lezer/highlight";
+import { completions } from "./completions.js";
 
 const theme = EditorView.theme({
   "&": { height: "100%", fontSize: "13px", color: "var(--ink)", backgroundColor: "var(--sheet)" },
@@ -19,6 +20,7 @@ const theme = EditorView.theme({
   ".cm-activeLine, .cm-activeLineGutter": { backgroundColor: "var(--hover)" },
   "&.cm-focused .cm-selectionBackground, .cm-selectionBackground": { backgroundColor: "var(--select) !important" },
   ".cm-tooltip, .cm-panels": { color: "var(--ink)", backgroundColor: "var(--sunk)", borderColor: "var(--line)" },
+  ".cm-tooltip.cm-completionInfo": { maxWidth: "20rem" },
   ".cm-tooltip.cm-tooltip-autocomplete > ul > li[aria-selected]": { color: "var(--ink)", backgroundColor: "var(--select)" },
   ".cm-textfield, .cm-button": { color: "var(--ink)", backgroundColor: "var(--sheet)", backgroundImage: "none", borderColor: "var(--edge)" },
 });
@@ -42,7 +44,7 @@ export function openEditor(host, { onChange, onRun }) {
   const run = Prec.highest(keymap.of([{ key: "Mod-Enter", run: () => (onRun(), true) }]));
   const changed = EditorView.updateListener.of(({ docChanged, state }) => docChanged && onChange(state.doc.toString()));
   const name = EditorView.contentAttributes.of({ "aria-label": "Program in Python", tabindex: "0" });
-  const extensions = [run, basicSetup, python(), keymap.of([indentWithTab]), indentUnit.of("    "), EditorView.lineWrapping, theme, colours, changed, name];
+  const extensions = [run, basicSetup, python(), completions, keymap.of([indentWithTab]), indentUnit.of("    "), EditorView.lineWrapping, theme, colours, changed, name];
   const view = new EditorView({ parent: root, root });
   /** Of files that are not shown: cursor, and what can be undone. @type {WeakMap<object, EditorState>} */
   const states = new WeakMap();
