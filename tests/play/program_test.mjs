@@ -8,7 +8,7 @@ import { after, before, test } from "node:test";
 import { fragmentOf } from "../../clients/web/src/machine/share.js";
 import { close, root, showsCount } from "../web/bench.mjs";
 import { serveFolder, stopServing } from "./folder.mjs";
-import { printed, withProgramAt } from "./programs.mjs";
+import { printed, withProgramAt, usePageMeanwhile } from "./programs.mjs";
 
 let url;
 before(async () => (url = await serveFolder()));
@@ -106,16 +106,10 @@ test("a line ends as on a server: after the last reply, when a program sends no 
     assert.match(output, /^b' '\nb' +'$/);
   }));
 
-test("while a program runs the page is heard: pause, jog; a program that asks is stopped at once", () => withProgram({}, async (page, { start, end }) => {
+test("while a program runs messages of the page arrive: pause, jog; a program that asks is stopped at once", () => withProgram({}, async (page, { start, end }) => {
   await start("import time\nprint('begun', flush=True)\nfor i in range(10000):\n    time.sleep(0.1)");
   await printed(page, "begun");
-  await page.click("#pause");
-  await page.waitForFunction(() => window.xr3.known.state.clock.mode === "manual");
-  await page.click("#pause");
-  await page.fill("#console-input", "F+30");
-  await page.press("#console-input", "Enter");
-  await showsCount(page, "F", 30);
-  await page.click("#program-stop");
+  await usePageMeanwhile(page);
   assert.equal((await end()).state, "Stopped");
 }));
 

@@ -2,6 +2,7 @@
 import { mkdirSync, mkdtempSync, readdirSync, readFileSync, symlinkSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { dirname, join, relative, resolve } from "node:path";
+import { showsCount } from "../web/bench.mjs";
 import { folder, withRobot } from "./folder.mjs";
 
 const kLoadMs = 120_000; // Python, on a busy machine
@@ -29,6 +30,17 @@ export const withProgramAt = (url, act, options = {}) => withRobot(url, (page) =
 
 /** Waits until a program has printed a text. */
 export const printed = (page, text) => page.waitForFunction((wanted) => document.querySelector("#program-output").textContent.includes(wanted), text, { timeout: kLoadMs });
+
+/** Pauses, goes on, moves a joint by the console, and stops the program that runs. */
+export async function usePageMeanwhile(page) {
+  await page.click("#pause");
+  await page.waitForFunction(() => window.xr3.known.state.clock.mode === "manual");
+  await page.click("#pause");
+  await page.fill("#console-input", "F+30");
+  await page.press("#console-input", "Enter");
+  await showsCount(page, "F", 30);
+  await page.click("#program-stop");
+}
 
 /** Waits until a spare worker has loaded Python: the worker is locked then. */
 export async function spareReady(page) {

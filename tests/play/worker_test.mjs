@@ -4,7 +4,7 @@ import { rmSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { close, ready, showsCount } from "../web/bench.mjs";
 import { serveFolder, stopServing } from "./folder.mjs";
-import { folderWithoutJspi, printed, spareReady, withProgramAt } from "./programs.mjs";
+import { folderWithoutJspi, printed, spareReady, withProgramAt, usePageMeanwhile } from "./programs.mjs";
 
 const kSpareMs = 620; // measured, from Stop to the end of the next program: docs/playground.md
 
@@ -54,13 +54,7 @@ test("without JSPI, from the second load on, a program's worker takes the messag
   assert.equal(await page.evaluate(() => crossOriginIsolated), true);
   await start(kSleeps);
   await printed(page, "begun");
-  await page.click("#pause");
-  await page.waitForFunction(() => window.xr3.known.state.clock.mode === "manual");
-  await page.click("#pause");
-  await page.fill("#console-input", "F+30");
-  await page.press("#console-input", "Enter");
-  await showsCount(page, "F", 30);
-  await page.click("#program-stop");
+  await usePageMeanwhile(page);
   assert.deepEqual(await end(), { state: "Stopped", output: "begun\nstopped" }); // by KeyboardInterrupt, not with its worker
   await start("name = input('Your name? ')\nprint('Hello', name)");
   await page.waitForSelector("#program-answer", { state: "visible" });

@@ -57,7 +57,7 @@ import { WirePanel } from "./wire/wire_panel.js";
 import { transcriptLine } from "./wire/wire_text.js";
 import { WorkcellPanel } from "./workcell/workcell_panel.js";
 
-const kDeaf = "A program runs, and the page cannot reach the robot meanwhile: load the page again, or use Chrome or Edge 137, or Firefox 153.";
+const kBlocked = "A program runs, and the page cannot reach the robot meanwhile: load the page again, or use Chrome or Edge 137, or Firefox 153.";
 const kTouchMm = 0.5; // the tip may touch the table
 const known = {}; // the newest hello, model, state and display, the arrival time of the state, and the state of the past that is shown
 
@@ -177,7 +177,7 @@ byId("reset").onclick = () => call("reset");
 byId("outlines").onchange = (event) => camera.setOutlines(event.target.checked);
 const program = programs ? new ProgramPanel({ machine: programs, given: isHere ? givenHere() : Promise.resolve({ origin: "" }), showError, openTab: () => drawer.choose("tab-program"), offer: (text, action) => messages.show(text, action) }) : null;
 if (isHere) keepForOffline((text, action) => messages.show(text, action));
-if (isHere) machine.onDeaf = (isDeaf) => lock.set("program", isDeaf ? kDeaf : null);
+if (isHere) machine.onBlocked = (isBlocked) => lock.set("program", isBlocked ? kBlocked : null);
 byId("save-recording").hidden = !isHere;
 byId("save-recording").onclick = () => machine.save().then((text) => download("robot.xr3rec", text, "application/octet-stream")).catch(showError);
 if (isHere) connectOpenRecording({ machine, onOpened: showOpened, onError: showError });
@@ -356,7 +356,7 @@ function onLeave() {
   wire.setMoment(null);
 }
 
-/** The robot of a recording stands where it ends. @param {string} name of the file */
+/** Shows that a recording was opened. @param {string} name of the file */
 function showOpened(name) {
   if (byId("rewind").getAttribute("aria-expanded") !== "true") byId("rewind").click();
   showMessage(`${name}: the robot is where the recording ends, and its time stands. The time bar has what was before.`);

@@ -21,12 +21,12 @@ const kStatuses = /** @type {[import("../lib/chip.js").Kind, string, string][]} 
 const kGroups = /** @type {[string, keyof typeof commands][]} */ ([
   ["Motion", "motion"], ["Switches and lines", "switches_and_lines"], ["Camera, display, settings", "environment"],
 ]);
-/** What a first program uses of the Python package: of which class or package, and its names. */
+/** Functions for a first program, by the class or package that has them. */
 const kPython = /** @type {[string, string[]][]} */ ([
   ["xr3", ["connect", "Pose"]],
   ["Robot", ["pick", "place", "go_to", "go", "move", "wait", "open_jaws", "close_jaws", "home", "soft_home", "look", "ask", "send"]],
 ]);
-/** What the server has beside this page, where it is installed: links, or what to do without it. */
+/** Sites that a server may have: the links to them, and the text if one is not installed. */
 const kSites = /** @type {{path: string, pages: [string, string][], missing: string}[]} */ ([
   { path: "/docs/", missing: "The documentation is not here: scripts/site builds it.", pages: [["tutorial/", "Tutorial: from the first line to a picked block"],
     ["troubleshooting/", "Nothing moves?"], ["viewer/", "This page"], ["own-robot/", "Your own robot"], ["", "All of the documentation"]] },

@@ -1,7 +1,7 @@
 // @ts-check
-// Counts the bytes that come by fetch(), as those of the files that Pyodide fetches by itself.
+// Counts the bytes received by fetch(), also those of the files that Pyodide fetches itself.
 
-/** From now on `onBytes` is called with the number of bytes that have come. @param {(bytes: number) => void} onBytes */
+/** Calls `onBytes` with the number of bytes that fetch() has received since this call. @param {(bytes: number) => void} onBytes */
 export function countFetched(onBytes) {
   const real = self.fetch;
   let bytes = 0;
@@ -9,7 +9,7 @@ export function countFetched(onBytes) {
   self.fetch = async (...request) => counted(await real(...request), add);
 }
 
-/** The same response, which tells how many bytes come. @param {Response} response @param {(bytes: number) => void} add */
+/** A response with the same contents; `add` is called with the size of each part received. @param {Response} response @param {(bytes: number) => void} add */
 function counted(response, add) {
   if (!response.body) return response;
   const counter = new TransformStream({

@@ -31,8 +31,8 @@ export class Machine {
   /** @type {ReturnType<typeof setTimeout> | null} */
   repeating = null; // the worker repeats the past
   workers = new Workers();
-  /** @type {(isDeaf: boolean) => void} */
-  onDeaf = () => {}; // the robot does not hear the page, or hears it again
+  /** @type {(isBlocked: boolean) => void} */
+  onBlocked = () => {}; // called when messages of the page no longer reach the robot, and when they do again
   /** @type {ProgramListener | null} */
   listener = null;
 
@@ -64,7 +64,7 @@ export class Machine {
 
   // A program may send anything, also in the robot's name: only texts and numbers are taken.
   /** @param {Record<string, any>} data */
-  #take({ begun, message, anew, recording, tick, beat, took, failed, python, deaf, output, asks, ended, refused, copied, bytes, of }) {
+  #take({ begun, message, anew, recording, tick, beat, took, failed, python, blocked, output, asks, ended, refused, copied, bytes, of }) {
     if (begun !== undefined) this.#repeated();
     if (anew !== undefined) this.recording = "";
     if (tick !== undefined) this.tick = numberOf(tick);
@@ -74,7 +74,7 @@ export class Machine {
     if (recording !== undefined) this.#record(textOf(recording, kMostRecording));
     if (failed !== undefined) this.#failed(textOf(failed));
     if (python !== undefined) this.#pythonIs(textOf(python), { bytes: numberOf(bytes), of: numberOf(of) });
-    if (deaf !== undefined && this.isRunning) this.onDeaf(true);
+    if (blocked !== undefined && this.isRunning) this.onBlocked(true);
     if (output !== undefined) this.listener?.output({ stream: textOf(output?.stream), text: textOf(output?.text) });
     if (asks !== undefined) this.listener?.asks(textOf(asks));
     if (ended !== undefined) this.#ended({ code: numberOf(ended?.code), goals: goalsOf(ended?.goals) });
@@ -191,7 +191,7 @@ export class Machine {
     this.isRunning = false;
     clearTimeout(this.stopping);
     this.stopping = null;
-    this.onDeaf(false);
+    this.onBlocked(false);
   }
 
   /** The report of `xr3 exec` if the run ended now. @param {string} why why the program failed, or "" @returns {Promise<any>} */

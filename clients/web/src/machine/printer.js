@@ -1,5 +1,5 @@
 // @ts-check
-import { block, kSliceMs } from "./hearing.js";
+import { block, kSliceMs } from "./yielding.js";
 
 const kPrintsAtOnce = 50;
 

@@ -108,7 +108,7 @@ export class ProgramRobot {
   /** @param {string} prompt */
   ask(prompt) {
     this.#time.touch();
-    if (!this.#time.hearing.hearsPage) throw new Error(`this page cannot ask while a program runs: load it again, or use ${kBrowsers}`);
+    if (!this.#time.yielding.canReceive) throw new Error(`this page cannot ask while a program runs: load it again, or use ${kBrowsers}`);
     const answer = this.#askUser(prompt);
     return this.#time.waitForUser(() => answer.isGiven, () => answer.text);
   }

@@ -1,9 +1,9 @@
 // @ts-check
 // The time of a program in the page, and its waiting. A program sees simulated time; while the robot's time stands still, or
 // follows the bytes, its time goes on all the same, or it would wait for ever. While it waits, the page is served.
-import { kSliceMs } from "./hearing.js";
+import { kSliceMs } from "./yielding.js";
 
-/** @typedef {{clock: string, rate: number, tick: number, isTimeUp: boolean, catchUp: () => void}} Clock of a Robot, or of a server @typedef {import("./hearing.js").ByEvents | import("./hearing.js").ByMailbox | import("./hearing.js").Deaf} Hearing */
+/** @typedef {{clock: string, rate: number, tick: number, isTimeUp: boolean, catchUp: () => void}} Clock of a Robot, or of a server @typedef {import("./yielding.js").YieldByPromise | import("./yielding.js").YieldByMailbox | import("./yielding.js").Blocking} Yielding */
 
 const kCallMs = 0.01; // what a call costs with the byte clock, so that a loop that only looks at a clock ends
 
@@ -12,10 +12,10 @@ export class Stopped extends Error {
 }
 
 export class ProgramTime {
-  /** @param {Clock} robot @param {Hearing} hearing */
-  constructor(robot, hearing) {
+  /** @param {Clock} robot @param {Yielding} yielding */
+  constructor(robot, yielding) {
     this.robot = robot;
-    this.hearing = hearing;
+    this.yielding = yielding;
     this.isStopped = false;
     this.extra = 0; // ms of the program's time that the robot has not
     this.begun = robot.tick;
@@ -42,7 +42,7 @@ export class ProgramTime {
 
   /** Returns a value, after the page was served if it is time for that. @template T @param {T} value @returns {T | Promise<T>} */
   after(value) {
-    return this.hearing.isDue ? this.hearing.pass(this.#moment(), () => value) : value;
+    return this.yielding.isDue ? this.yielding.pass(this.#moment(), () => value) : value;
   }
   *#moment() {
     yield 0;
@@ -56,7 +56,7 @@ export class ProgramTime {
   wait(ms, isOver, give) {
     const end = ms < 0 ? Infinity : this.now() + ms;
     const left = () => (isOver() ? 0 : end - this.now());
-    if (this.robot.clock !== "bytes") return this.hearing.pass(this.#waiting(left), give);
+    if (this.robot.clock !== "bytes") return this.yielding.pass(this.#waiting(left), give);
     this.#skip(left());
     return this.after(give());
   }
@@ -82,7 +82,7 @@ export class ProgramTime {
 
   /** Waits for the user, which takes none of the program's time itself. @template T @param {() => boolean} isOver @param {() => T} give */
   waitForUser(isOver, give) {
-    return this.hearing.pass(this.#waitingForUser(isOver), give);
+    return this.yielding.pass(this.#waitingForUser(isOver), give);
   }
   /** @param {() => boolean} isOver */
   *#waitingForUser(isOver) {

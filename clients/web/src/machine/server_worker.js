@@ -2,7 +2,7 @@
 // The worker of programs in the page that move a server's robot. Python runs here; its connections are WebSockets to the server, and
 // its time is the wall clock. The page sends {begin}, then {run}, {stop}, and {answer} to what a program asks. The worker sends
 // {python}, {output}, {asks}, {ended} and {refused}, as worker.js.
-import { ByEvents } from "./hearing.js";
+import { YieldByPromise } from "./yielding.js";
 import { printer } from "./printer.js";
 import { ProgramRobot } from "./program_robot.js";
 import { ProgramTime } from "./program_time.js";
@@ -25,8 +25,8 @@ let answer = { isGiven: true, text: undefined };
 /** The clock of a program's time, in place of a robot's. */
 const wall = { clock: "real", rate: 1, isTimeUp: false, catchUp() {}, get tick() { return performance.now(); } };
 /** There is nothing to serve: in between only messages arrive. */
-const hearing = new ByEvents({ serve() {}, post: (message) => setTimeout(() => hearing.answer(/** @type {any} */ (message).beat)) });
-const wake = () => hearing.wake();
+const yielding = new YieldByPromise({ serve() {}, post: (message) => setTimeout(() => yielding.answer(/** @type {any} */ (message).beat)) });
+const wake = () => yielding.wake();
 const connections = { open: () => new SocketLine(server, wake), openMonitor: () => new SocketMonitor(server, wake) };
 
 /** @param {{files: Record<string, string>, name: string}} program */
@@ -36,7 +36,7 @@ async function run(program) {
     const its = await python;
     if (!its.canWait) throw new Error(kNoWait);
     post({ python: "ready" });
-    time = new ProgramTime(wall, hearing);
+    time = new ProgramTime(wall, yielding);
     const environ = { XR3_HOST: "robot", XR3_PORT: "9600", XR3_MONITOR_PORT: "9601" };
     post({ ended: { code: await its.run(new ProgramRobot(connections, time, ask), { ...program, environ }) } });
   } catch (failure) {

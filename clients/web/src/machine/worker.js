@@ -10,14 +10,14 @@
 //   {message}    the text of a message from the monitor
 //   {recording}  what the recording has got; {tick} the time
 //   {anew}       what comes is of another robot
-//   {python}     "loading", with {bytes} of {of} that have come, or "ready"; {deaf} the page is not heard until the program has ended
+//   {python}     "loading", with {bytes} of {of} that have come, or "ready"; {blocked} no message arrives until the program has ended
 //   {output}     {stream, text} of the program; {asks} what it asks the user
 //   {beat}       a number that the page sends back; {took} the mailbox is empty
 //   {ended}      the exit code of the program, and whether each goal is met
 //   {copied}     {text} of {judge}, the report of `xr3 exec` as if the run ended now, of {save}, the recording to its end now, or
 //                of {open}; or {error}
 //   {failed}     why there is no robot (any more); {refused} why the program does not run
-import { ByEvents, ByMailbox, Deaf } from "./hearing.js";
+import { YieldByPromise, YieldByMailbox, Blocking } from "./yielding.js";
 import { Mailbox } from "./mailbox.js";
 import { Module } from "./module.js";
 import { printer } from "./printer.js";
@@ -141,8 +141,8 @@ async function run(program) {
     if (!isPythonThere) showLoaded(0);
     const its = await loadPython();
     post({ python: "ready" });
-    time = new ProgramTime(robot, hearingOf(its));
-    if (!time.hearing.hearsPage) post({ deaf: true });
+    time = new ProgramTime(robot, yieldingOf(its));
+    if (!time.yielding.canReceive) post({ blocked: true });
     const environ = { XR3_HOST: "robot", XR3_PORT: "9600", XR3_MONITOR_PORT: "9601", ...(robot.clock === "bytes" ? { XR3_POLL_MS: "0" } : {}) };
     const code = await its.run(new ProgramRobot({ open: () => new RobotLine(robot), openMonitor: () => new MonitorLine(robot) }, time, ask), { ...program, environ });
     serve();
@@ -155,9 +155,9 @@ async function run(program) {
 }
 
 /** @param {Python} its */
-function hearingOf({ canWait }) {
-  if (canWait) return new ByEvents({ serve, post });
-  return mailbox ? new ByMailbox({ serve, post }, look) : new Deaf({ serve, post });
+function yieldingOf({ canWait }) {
+  if (canWait) return new YieldByPromise({ serve, post });
+  return mailbox ? new YieldByMailbox({ serve, post }, look) : new Blocking({ serve, post });
 }
 
 /** @param {string} prompt */
@@ -226,7 +226,7 @@ function take(data) {
   if (data.stop) return stop();
   if (data.anew) return replaceRobot(makeRobot(wall, null));
   if (data.open) return answerPage(() => open(data.open));
-  if (data.beat) return time?.hearing.answer(data.beat);
+  if (data.beat) return time?.yielding.answer(data.beat);
   if (data.judge) return answerPage(() => useCopy(data.judge.past, (copy) => JSON.stringify(copy.finish(data.judge.why))));
   if (data.save) return answerPage(() => useCopy(data.save.past, endedRecording));
   if ("answer" in data) return Object.assign(answer, { isGiven: true, text: data.answer ?? undefined });

@@ -1,9 +1,9 @@
 // @ts-check
-// How the worker hears the page while a program runs. A wait of the program is a row of steps, each a number of ms of wall
-// time; `pass` goes through them, and serves the page in between. There are three ways:
-//   ByEvents   Python can wait for a promise (JSPI), so that the messages of the page arrive as usual
-//   ByMailbox  the worker blocks, and looks into a mailbox
-//   Deaf       the worker blocks, and hears nothing until the program has ended
+// How a program that runs yields to the page. A wait of a program is a sequence of steps, each a number of ms of wall time; `pass`
+// waits for each, serves the page between two, and lets its messages arrive, in one of three ways:
+//   YieldByPromise   Python waits for promises (JSPI), and messages arrive as events
+//   YieldByMailbox   the worker blocks, and reads messages from shared memory
+//   Blocking         the worker blocks, and messages arrive when the program has ended
 
 /** @typedef {import("./mailbox.js").Mailbox} Mailbox */
 /** @typedef {{serve: () => void, post: (message: object) => void}} Page `serve` sends what there is to say */
@@ -17,8 +17,8 @@ const never = new Int32Array(new WebAssembly.Memory({ initial: 1, maximum: 1, sh
 export const block = (ms) => Atomics.wait(never, 0, 0, ms);
 
 /** A program that only asks makes more messages than a page can show, so the page answers each beat. */
-class Hearing {
-  hearsPage = true;
+class Yielding {
+  canReceive = true;
   #beat = 0;
   #answered = 0;
   #served = performance.now();
@@ -39,8 +39,8 @@ class Hearing {
     this.page.post({ beat: ++this.#beat });
     this.#served = performance.now();
   }
-  /** The page has been heard: it gets no more of the time than the program. */
-  heard() {
+  /** Messages have arrived. The page is served again after as much time as that took, so that the program has half of the time at least. */
+  yielded() {
     const now = performance.now();
     this.#gap = Math.max(kSliceMs, now - this.#served);
     this.#served = now;
@@ -51,7 +51,7 @@ class Hearing {
   }
 }
 
-export class ByEvents extends Hearing {
+export class YieldByPromise extends Yielding {
   #goOn = () => {};
   #resume = () => {};
 
@@ -80,20 +80,20 @@ export class ByEvents extends Hearing {
     for (const ms of steps) {
       if (ms >= kShortMs) await this.#rest(ms);
       else block(ms);
-      if (this.isDue) await this.#serveAndHear();
+      if (this.isDue) await this.#serveAndWait();
     }
     return give();
   }
   // (The answer of the page comes with all that it has sent before.)
-  async #serveAndHear() {
-    const heard = new Promise((resolve) => (this.#goOn = () => resolve(undefined)));
+  async #serveAndWait() {
+    const answered = new Promise((resolve) => (this.#goOn = () => resolve(undefined)));
     this.serve();
-    await heard;
-    this.heard();
+    await answered;
+    this.yielded();
   }
 }
 
-export class ByMailbox extends Hearing {
+export class YieldByMailbox extends Yielding {
   /** @param {Page} page @param {(ms: number) => void} look takes the messages that arrive within `ms` */
   constructor(page, look) {
     super(page);
@@ -106,14 +106,14 @@ export class ByMailbox extends Hearing {
       if (!this.isDue) continue;
       this.serve();
       while (this.isBehind) this.look(kSliceMs);
-      this.heard();
+      this.yielded();
     }
     return give();
   }
 }
 
-export class Deaf extends Hearing {
-  hearsPage = false;
+export class Blocking extends Yielding {
+  canReceive = false;
 
   /** @template T @param {Iterable<number>} steps @param {() => T} give @returns {T} */
   pass(steps, give) {
