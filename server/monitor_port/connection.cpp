@@ -54,7 +54,7 @@ asio::awaitable<void> MonitorConnection::serve_websocket(std::string head,
                                                          http::HttpRequest request) {
   const std::optional<std::string> cell = request.parameter("cell");
   if (http::subprotocol_of(request.path()) == http::kLineSubprotocol) {
-    line_ = LineWebsocket::make(socket_, peer_, context_.service, cell);
+    line_ = LineWebsocket::make(socket_, peer_, context_.service, cell, context_.has_room);
     co_return co_await line_->run(std::move(head));
   }
   websocket_ = Websocket::make(socket_, context_.service, cell);

@@ -28,6 +28,7 @@ struct MonitorConnectionContext {
   MonitorService& service;
   HttpResources& resources;
   MemoryLimit* memory = nullptr;      ///< none if null
+  std::function<bool()> has_room;     ///< whether one more descriptor may be open
   std::function<void()> tls_refused;  ///< called when a client speaks TLS
   std::function<void(const std::shared_ptr<MonitorConnection>&)>
       ended;  ///< called at the end; may release the connection
@@ -44,6 +45,9 @@ class MonitorConnection : public std::enable_shared_from_this<MonitorConnection>
 
   /// Accepts no further request, sends `bye` and ends.
   void finish();
+
+  /// The number of its descriptors: a line over WebSocket has two, and a third at the robot port.
+  std::size_t descriptors() const { return line_ && line_->is_open() ? 2 : 1; }
 
   /// The client has shut down its sending side; the port may close it to make room.
   bool only_listens() const { return lines_ && lines_->only_listens(); }

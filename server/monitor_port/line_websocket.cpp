@@ -41,11 +41,13 @@ std::string token_in(std::string_view message) {
 class BeastLineWebsocket final : public LineWebsocket {
  public:
   BeastLineWebsocket(std::shared_ptr<MonitorSocket> socket, const tcp::endpoint& peer,
-                     MonitorService& service, std::optional<std::string> cell)
+                     MonitorService& service, std::optional<std::string> cell,
+                     std::function<bool()> has_room)
       : socket_(std::move(socket)),
         peer_(peer),
         service_(service),
         cell_(std::move(cell)),
+        has_room_(std::move(has_room)),
         stream_(socket_->stream()),
         line_(socket_->executor()) {
     stream_.set_option(ws::stream_base::timeout{kMaxHandshake, ws::stream_base::none(), false});
@@ -54,6 +56,7 @@ class BeastLineWebsocket final : public LineWebsocket {
   }
 
   asio::awaitable<void> run(std::string head) override;
+  bool is_open() const override { return line_.is_open(); }
   std::size_t held_bytes() const override { return received_.size() + replies_size_; }
   void finish() override {
     if (!line_.is_open()) abort();
@@ -78,6 +81,7 @@ class BeastLineWebsocket final : public LineWebsocket {
   tcp::endpoint peer_;
   MonitorService& service_;
   std::optional<std::string> cell_;
+  std::function<bool()> has_room_;
   ws::stream<tcp::socket&> stream_;
   asio::local::stream_protocol::socket line_;  ///< the other end of the line
   boost::beast::flat_buffer received_;         ///< bounded by kMaxMessage
@@ -102,6 +106,7 @@ asio::awaitable<void> BeastLineWebsocket::serve() {
   if (!at) co_return co_await close(ws::policy_error, "there is no such cell");
   if (at->port() == nullptr)
     co_return co_await close(ws::policy_error, "this cell has no robot port");
+  if (!has_room_()) co_return co_await close(ws::try_again_later, "too many connections are open");
   open(*at->port());
   spawn_session(socket_->executor(), "line", carry_replies(), [self = self()] { self->abort(); });
   co_await carry_bytes();
@@ -199,8 +204,10 @@ void BeastLineWebsocket::abort() {
 std::shared_ptr<LineWebsocket> LineWebsocket::make(std::shared_ptr<MonitorSocket> socket,
                                                    const tcp::endpoint& peer,
                                                    MonitorService& service,
-                                                   std::optional<std::string> cell) {
-  return std::make_shared<BeastLineWebsocket>(std::move(socket), peer, service, std::move(cell));
+                                                   std::optional<std::string> cell,
+                                                   std::function<bool()> has_room) {
+  return std::make_shared<BeastLineWebsocket>(std::move(socket), peer, service, std::move(cell),
+                                              std::move(has_room));
 }
 
 }  // namespace xr3

@@ -16,7 +16,11 @@ MonitorPort::MonitorPort(asio::io_context& io, CellRegistry& cells, Worker& work
       peers_(peer_counts(limits.per_address, limits.connections - limits.connections / 4)),
       service_(io, cells, worker, policy),
       resources_(service_, policy, std::move(not_ready), [this] { return counters(); }),
-      context_{service_, resources_, nullptr, [this] { report_tls(); },
+      context_{service_,
+               resources_,
+               nullptr,
+               [this] { return has_room(); },
+               [this] { report_tls(); },
                [this, ended](const std::shared_ptr<MonitorConnection>& connection) {
                  std::erase(connections_, connection);
                  has_logged_full_ = false;
@@ -27,8 +31,8 @@ MonitorPort::MonitorPort(asio::io_context& io, CellRegistry& cells, Worker& work
       refusals_(resources_, limits.refusals, ended) {}
 
 void MonitorPort::open(NewConnection accepted) {
-  if (connections_.size() >= max_connections_) make_room();
-  if (connections_.size() >= max_connections_) return refuse(std::move(accepted));
+  if (!has_room()) make_room();
+  if (!has_room()) return refuse(std::move(accepted));
   auto place = peers_.take(machine_of(accepted));
   if (!place) return refuse(std::move(accepted));
   const tcp::endpoint peer = accepted.peer;
@@ -36,6 +40,12 @@ void MonitorPort::open(NewConnection accepted) {
                                                               peer, context_, std::move(place));
   connections_.push_back(connection);
   connection->start();
+}
+
+std::size_t MonitorPort::descriptors() const {
+  std::size_t count = 0;
+  for (const auto& connection : connections_) count += connection->descriptors();
+  return count;
 }
 
 // A client that has closed its connection looks like one that only listens, until a write fails.

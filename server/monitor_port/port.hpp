@@ -65,6 +65,8 @@ class MonitorPort {
   void open(NewConnection accepted);
   void refuse(NewConnection accepted);
   CellCounters counters() const;
+  std::size_t descriptors() const;
+  bool has_room() const { return descriptors() < max_connections_; }
   void make_room();
   std::shared_ptr<MonitorConnection> greediest() const;
   void report_tls();

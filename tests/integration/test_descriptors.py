@@ -9,6 +9,7 @@ import urllib.error
 import urllib.request
 
 from support import DEADLINE_S, LOCALHOST, XR3, MonitorError, Server, connect, run_xr3
+from test_line_websocket import CLOSE, LineWebsocket
 
 FEW = 64
 ALMOST_NO_CPU = 0.05
@@ -52,6 +53,23 @@ class FewDescriptors(unittest.TestCase):
         self.xr3 = self.enterContext(Server(command=command))
         self.socks = []
         self.addCleanup(self.close_all)
+
+    def test_lines_over_websocket_leave_descriptors_for_health_checks(self):
+        opened = 0
+        for _ in range(FEW):
+            line = LineWebsocket(self.xr3)
+            self.socks.append(line)
+            if line.status != 101:
+                break
+            line.send(b"E?")
+            kind, _ = line.frame()
+            if kind == CLOSE:
+                break
+            opened += 1
+        self.assertGreater(opened, 1)
+        self.assertLess(opened, FEW // 6, "each takes two of the monitor port, and one of the robot port")
+        self.assertEqual(200, status(self.xr3.monitor_port, "/healthz"))
+        self.assertNotIn("socketpair", self.xr3.log())
 
     def close_all(self):
         for sock in self.socks:

@@ -29,6 +29,9 @@ class LineWebsocket:
         return self
 
     def __exit__(self, *_):
+        self.close()
+
+    def close(self):
         self.file.close()
         self.socket.close()
 
