@@ -96,8 +96,11 @@ MonitorRig::MonitorRig(ReadAccess reading)
       service_(io_, host_.cells, host_.worker, policy_),
       resources_(
           service_, policy_, [] { return std::string(); }, [this] { return service_.counters(); }),
-      context_{service_, resources_, nullptr, [] {},
-               [this](const std::shared_ptr<MonitorConnection>&) { is_over_ = true; }} {
+      context_{.service = service_,
+               .resources = resources_,
+               .has_room = [] { return true; },
+               .tls_refused = [] {},
+               .ended = [this](const std::shared_ptr<MonitorConnection>&) { is_over_ = true; }} {
   host_.add(test::rhino());
   spdlog::set_default_logger(
       std::make_shared<spdlog::logger>("fuzz", std::make_shared<FailingSink>()));
