@@ -72,10 +72,11 @@ const withoutBrackets = (text) => {
   const shorter = text.replace(/\[[^[\]]*\]/g, "");
   return shorter === text ? text : withoutBrackets(shorter);
 };
-/** The arguments of a signature that must be given: neither those with a default nor those with a star. */
+/** The arguments of a signature that must be given, and those with a number as default. */
 function argumentsOf(form) {
   const inside = form.startsWith("class ") ? null : /\((.*?)\)/.exec(withoutBrackets(form));
-  return inside ? `(${inside[1].split(", ").filter((each) => !/[=*]/.test(each)).map((each) => each.split(":")[0]).join(", ")})` : "";
+  const named = (each) => each.replace(/: \w*( = )?/, (_, isOptional) => (isOptional ? "=" : ""));
+  return inside ? `(${inside[1].split(", ").filter((each) => !/\*|= (?![\d.]+$)/.test(each)).map(named).join(", ")})` : "";
 }
 const described = (form, text) => ({ args: argumentsOf(form), form, text: text.split(/(?<=\.) /)[0].replaceAll("`", "") });
 

@@ -37,7 +37,7 @@ async function newFile(page, name, text) {
   await page.click("#file-new");
   await page.fill("#file-name", name);
   await page.keyboard.press("Enter");
-  await write(page, text);
+  await page.keyboard.insertText(text);
 }
 
 async function go(page, address) {
@@ -68,12 +68,14 @@ test("files are added, shown, renamed and closed by mouse and by keys, and one o
   await page.fill("#file-name", "start.py");
   await page.keyboard.press("Enter");
   assert.deepEqual(await tabs(page), ["▸start.py, is run*", "arm.py"]);
+  assert.equal(await page.textContent("#program-run"), "Run start.py");
   await page.keyboard.press("End");
   await choose(page, "file", "Run arm.py from now on");
   assert.deepEqual(await page.evaluate(() => window.xr3.program.store.program.name), "arm.py");
   await page.focus(chosenTab);
   await page.keyboard.press("Delete");
   assert.deepEqual(await tabs(page), ["start.py*"]);
+  assert.equal(await page.textContent("#program-run"), "Run");
   assert.equal(await page.evaluate(() => document.activeElement.matches("#file-tabs [role=tab]")), true);
   await page.click("#message button:has-text('Undo')");
   assert.deepEqual(await tabs(page), ["start.py", "▸arm.py, is run*"]);
@@ -107,7 +109,7 @@ test("the program of a link takes the place of another one only until one leaves
   await page.click("#message button:has-text('Show the link')");
   await shows(page, "linked");
   assert.doesNotMatch(await shown(page), /edited/);
-  await choose(page, "examples", "import xr3");
+  await choose(page, "examples", "with xr3.Robot()");
   await shows(page, "# mine");
   await choose(page, "examples", "linked");
   await shows(page, "# edited");
@@ -208,6 +210,7 @@ test("Help has the functions of the package, finds them by a word or by their ti
   await page.click("#help-button");
   await page.waitForSelector("#help-python .row");
   assert.deepEqual(await found("pick"), ["robot.pick(pose)"]);
+  assert.deepEqual(await found("xr3.Pose"), ["xr3.Pose(x, y, z, yaw=0.0)"]);
   assert.equal((await found("python")).length, await page.locator("#help-python .row").count());
   assert.equal(await page.textContent("#help-none"), "");
   assert.deepEqual(await found("qqq"), []);

@@ -118,8 +118,14 @@ test("an endless loop does not hang the page: the robot goes on in another worke
   await start("print('loops', flush=True)\nwhile True:\n    pass");
   await printed(page, "loops");
   for (const ms of [60_000, 10_000]) await page.clock.fastForward(ms); // time for a ping, and to wait for its answer
+  await page.waitForSelector("#status:has-text('Busy')");
+  assert.ok(await page.isDisabled("#jaws-open"));
   await page.click("#program-stop");
-  assert.equal((await end()).state, "Stopped");
+  const { state, output } = await end();
+  assert.equal(state, "Stopped");
+  assert.match(output, /not at its soft home/); // but 40 counts from it
+  await page.waitForSelector("#status:has-text('Ready')");
+  assert.ok(await page.isEnabled("#jaws-open"));
   await showsCount(page, "F", 40);
   assert.match((await run("print('again')")).output, /again/);
 }, { hasClock: true }));

@@ -34,8 +34,9 @@ LEAN = 400  # counts that bring a joint of Arm.near_first out of its backmost po
 FAR = 1600  # more counts than any joint has from a limit to its switch
 MARGIN = 40  # counts by which a switch may stay closed longer than Switch.width says
 TEXT = "a text, such as 'E?'"
-WHY_IT_STANDS = ("Is it blocked at a limit, or stalled? Is a block in the jaws? Is the clock "
-                 "paused or slow? Look at the page or at `xr3 watch`")
+WHY_IT_STANDS = ("Is it blocked at a limit, or stalled? Did the arm start elsewhere than at its "
+                 "soft home? Is a block in the jaws? Is the clock paused or slow? Look at the page, "
+                 "or at `xr3 watch`")
 
 
 def poll_pause() -> None:
@@ -151,7 +152,7 @@ class Robot:
         are added to those that the joint still has to go. Raises ValueError for more counts."""
         self._check(label, counts)
         if not -128 <= counts <= 127:
-            raise ValueError(f"a move is -128...127 counts, not {counts}")
+            raise ValueError(f"a move is -128...127 counts, not {counts}: go() moves further")
         self.send(f"{label}{counts:+d}\r")
 
     def to_go(self, label: str) -> int:

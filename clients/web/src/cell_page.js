@@ -57,6 +57,7 @@ import { WirePanel } from "./wire/wire_panel.js";
 import { transcriptLine } from "./wire/wire_text.js";
 import { WorkcellPanel } from "./workcell/workcell_panel.js";
 
+const kComputing = "The program computes, and nothing else reaches the robot until it asks, waits or prints. Stop ends it.";
 const kBlocked = "A program runs, and the page cannot reach the robot meanwhile: load the page again, or use Chrome or Edge 137, or Firefox 153.";
 const kTouchMm = 0.5; // the tip may touch the table
 const known = {}; // the newest hello, model, state and display, the arrival time of the state, and the state of the past that is shown
@@ -175,9 +176,14 @@ new CommandMode({ run, old, known });
 byId("home").onclick = () => call("home");
 byId("reset").onclick = () => call("reset");
 byId("outlines").onchange = (event) => camera.setOutlines(event.target.checked);
-const program = programs ? new ProgramPanel({ machine: programs, given: isHere ? givenHere() : Promise.resolve({ origin: "" }), showError, openTab: () => drawer.choose("tab-program"), offer: (text, action) => messages.show(text, action) }) : null;
+const program = programs ? new ProgramPanel({ machine: programs, isAtHome: () => !known.state || [...known.state.joints, known.state.tool].every(({ count }) => count === 0), given: isHere ? givenHere() : Promise.resolve({ origin: "" }), showError, openTab: () => drawer.choose("tab-program"), offer: (text, action) => messages.show(text, action) }) : null;
 if (isHere) keepForOffline((text, action) => messages.show(text, action));
 if (isHere) machine.onBlocked = (isBlocked) => lock.set("program", isBlocked ? kBlocked : null);
+if (isHere) machine.onSilent = (tick) => {
+  known.standsAt = tick;
+  lock.set("computing", tick === null ? null : kComputing);
+  showStatus();
+};
 byId("save-recording").hidden = !isHere;
 byId("save-recording").onclick = () => machine.save().then((text) => download("robot.xr3rec", text, "application/octet-stream")).catch(showError);
 if (isHere) connectOpenRecording({ machine, onOpened: showOpened, onError: showError });
@@ -459,7 +465,7 @@ function showStatus() {
   const place = past ? { tick: past.tick, epoch: past.epoch } : null;
   status.show(statusOf({
     connection: byId("status").dataset.connection, state: state && { ...state, tick: timeBar.tickNow() }, place, contest: known.contest ?? null, hz: hello?.tick_hz ?? 1000,
-    names: known.names ?? {}, retryS: connection.retryInS, heardS: (performance.now() - (connection.heardAt ?? 0)) / 1000, quietS: (performance.now() - known.arrival) / 1000,
+    names: known.names ?? {}, isComputing: known.standsAt != null, retryS: connection.retryInS, heardS: (performance.now() - (connection.heardAt ?? 0)) / 1000, quietS: (performance.now() - known.arrival) / 1000,
   }), { mayAct: access.mayCall });
   showMoment(place);
 }

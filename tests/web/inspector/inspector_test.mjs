@@ -39,7 +39,7 @@ test("a place that the arm cannot reach is refused with its reason, and the arm 
     await page.click("#jog-step button:has-text('20')");
     const before = await tip(page);
     for (let i = 0; i < 25 && await page.isHidden("#message"); ++i) await page.click("#jog [aria-label='x plus']");
-    await page.waitForSelector("#message:has-text('Not there: ')");
+    await page.waitForSelector("#message:has-text('Cannot go there: ')");
     await atRest(page);
     assert.ok((await tip(page))[0] > before[0] + 50);
     await noWarnings(page);

@@ -53,7 +53,7 @@ test("with Shift it goes up and down; below the table it is refused, and goes to
   withPage(["--clock", "real:20"], async (page) => {
     const [x, y] = await tip(page);
     await drag(page, [x, y, -60], ["Shift"]);
-    await label(page, "Not there: .* mm below the table\\..*The nearest place is");
+    await label(page, "Cannot go there: .* mm below the table\\..*The nearest place is");
     await page.mouse.up();
     await page.keyboard.up("Shift");
     await page.waitForFunction(() => window.xr3.known.state.tool.xyz_mm[2] < 5);

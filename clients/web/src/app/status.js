@@ -9,7 +9,8 @@ import { armStatus, stallText } from "../lib/arm_status.js";
  *   `what` and `rest` are the sentence, the first part in bold; `act` names what the button does
  * @typedef {{connection: "connecting" | "open" | "silent" | "lost", state: any, place: {tick: number, epoch: number} | null,
  *   contest: {lines: [number, number], joint: string} | null, hz: number, retryS: number | null, heardS: number, quietS?: number,
- *   mayCall: boolean, names: Record<string, string>}} Situation `names`: of the motors, by label; `quietS`: since the last state
+ *   mayCall: boolean, isComputing?: boolean, names: Record<string, string>}} Situation `names`: of the motors, by label; `quietS`: since the last state;
+ *   `isComputing`: a program in the page makes no call
  */
 
 const kQuietS = 1; // without a state, while a motor moves
@@ -88,6 +89,7 @@ export function statusOf(now) {
   const higher = lost(now) ?? past(now) ?? (state ? fault(state) : null);
   if (higher) return higher;
   if (!state) return { kind: "lost", word: "Connecting" };
+  if (now.isComputing) return { kind: "paused", word: "Busy", what: "The program computes:", rest: "time stands, and nothing moves, until it asks the robot, waits or prints. Stop ends it." };
   if (state.clock.mode === "manual") {
     return { kind: "paused", word: "Paused", what: "Time is paused.", rest: waitingText(state, now.names), action: { name: "Continue", act: "resume" } };
   }

@@ -24,7 +24,7 @@ const lineOf = (/** @type {any} */ { pointer, found, allowed }) =>
 export class Refused extends Error {
   /** @param {{code: string, message: string, hint?: string, details?: any[], [more: string]: any}} error */
   constructor({ code, message, hint, details = [], ...more }) {
-    super(code === "unreachable" ? `Not there: ${message}.` : kOfThePage[code] ?? (hint ? `${message} (${hint})` : message));
+    super(code === "unreachable" ? `Cannot go there: ${message}.` : kOfThePage[code] ?? (hint ? `${message} (${hint})` : message));
     this.code = code;
     this.hint = hint;
     this.details = details;

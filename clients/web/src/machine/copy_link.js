@@ -14,6 +14,7 @@ export function connectCopyLink({ getModel, getFirst, isOpened, getProgram, show
   const button = byId("copy-link");
   button.hidden = false;
   button.onclick = async () => {
+    byId("more").hidePopover();
     try {
       showMessage(isOpened() ? kOpened : await copy(await getModel(), getFirst(), getProgram()));
     } catch (error) {

@@ -33,6 +33,12 @@ export class Machine {
   workers = new Workers();
   /** @type {(isBlocked: boolean) => void} */
   onBlocked = () => {}; // called when messages of the page no longer reach the robot, and when they do again
+  /** @type {(tick: number | null) => void} */
+  onSilent = () => {}; // called with the time that stands while a program makes no call, and with null when it does again
+  isSilent = false;
+  heardAt = 0; // ms
+  /** @type {ReturnType<typeof setInterval> | null} */
+  watching = null; // the program runs
   /** @type {ProgramListener | null} */
   listener = null;
 
@@ -65,6 +71,7 @@ export class Machine {
   // A program may send anything, also in the robot's name: only texts and numbers are taken.
   /** @param {Record<string, any>} data */
   #take({ begun, message, anew, recording, tick, beat, took, failed, python, blocked, output, asks, ended, refused, copied, bytes, of }) {
+    this.heardAt = performance.now();
     if (begun !== undefined) this.#repeated();
     if (anew !== undefined) this.recording = "";
     if (tick !== undefined) this.tick = numberOf(tick);
@@ -173,8 +180,18 @@ export class Machine {
 
   /** @param {string} state @param {{bytes: number, of: number}} loaded */
   #pythonIs(state, loaded) {
-    if (state === "ready") this.workers.prepare();
+    if (state === "ready") this.#started();
     this.listener?.python(state, loaded);
+  }
+  #started() {
+    this.workers.prepare();
+    this.watching ??= setInterval(() => this.#setSilent(performance.now() - this.heardAt > kSilentMs), kSilentMs / 2);
+  }
+  /** @param {boolean} isSilent */
+  #setSilent(isSilent) {
+    if (isSilent === this.isSilent) return;
+    this.isSilent = isSilent;
+    this.onSilent(isSilent ? this.tick : null);
   }
   /** @param {{code: number, goals: boolean[]}} end */
   #ended(end) {
@@ -191,6 +208,9 @@ export class Machine {
     this.isRunning = false;
     clearTimeout(this.stopping);
     this.stopping = null;
+    clearInterval(this.watching);
+    this.watching = null;
+    this.#setSilent(false);
     this.onBlocked(false);
   }
 
@@ -220,6 +240,7 @@ export class Machine {
 }
 
 const kStopWithinMs = 300;
+const kSilentMs = 1000; // a worker has something to say much more often
 const kRepeatWithinMs = 20_000; // an hour takes less than one second
 const kKilled = 137; // as of a process that was killed
 const kMostRecording = 1 << 26;

@@ -72,7 +72,8 @@ export class TimeBar {
 
   /** The tick of the present. */
   tickNow() {
-    const { state, hello, arrival } = this.known;
+    const { state, hello, arrival, standsAt } = this.known;
+    if (standsAt != null) return standsAt;
     if (state.clock.mode !== "real") return state.tick; // a call or a byte moves it, and a message follows
     return Math.floor(state.tick + ((performance.now() - arrival) / 1000) * state.clock.rate * hello.tick_hz);
   }

@@ -6,7 +6,7 @@ import { chooseExercise, isHere } from "../lib/here.js";
 import { choiceIn, openBelow } from "../lib/menu.js";
 import { textAt } from "../lib/text_at.js";
 import { exercisesHere } from "../machine/exercise.js";
-import { programOf } from "./program_files.js";
+import { kMain, programOf } from "./program_files.js";
 
 /** @typedef {import("./program_store.js").ProgramStore} ProgramStore @typedef {import("./program_store.js").Earlier} Earlier */
 /** @typedef {{name: string, title: string}} Named */
@@ -24,7 +24,7 @@ export async function connectExamples({ store, onProgram, offer, showError }) {
       undo();
       onProgram();
     };
-    if (store.earlier.length > 0) offer(`This is ${title}. Your program is among the examples, as an earlier one.`, { name: "Undo", act });
+    if (store.earlier.length > 0) offer(`This is ${title}. The one that was here before is in the menu Examples, below your earlier programs.`, { name: "Undo", act });
   };
   /** @param {Named} example */
   const open = async ({ name, title }) => {
@@ -35,7 +35,7 @@ export async function connectExamples({ store, onProgram, offer, showError }) {
     }
   };
   /** @param {Earlier} program */
-  const recall = (program) => taken(store.recall(program), "the program as you left it");
+  const recall = (program) => taken(store.recall(program), "your earlier program");
   /** @param {string} title @param {Node[]} choices */
   const group = (title, choices) => (choices.length > 0 ? [el("p", {}, title), ...choices] : []);
   try {
@@ -53,10 +53,11 @@ export async function connectExamples({ store, onProgram, offer, showError }) {
 /** @returns {Promise<Named[]>} */
 const examplesHere = async () => JSON.parse(await textAt("data/examples.json"));
 
-/** By its first line of text and its time. @param {Earlier} earlier */
+/** By its time, its files if they have names of their own, and its first line of text after the imports. @param {Earlier} earlier */
 function titleOf({ program: { files, name }, when }) {
-  const first = /[^\s"'#].*/.exec(files[name])?.[0] ?? name;
-  return `${new Date(when).toLocaleString([], { dateStyle: "short", timeStyle: "short" })}: ${first.slice(0, 40)}`;
+  const names = Object.keys(files).filter((each) => each !== kMain);
+  const first = files[name].split("\n").map((line) => line.replace(/^[\s"'#]+/, "")).find((line) => line !== "" && !/^(!|import\b|from\b)/.test(line)) ?? name;
+  return `${new Date(when).toLocaleString([], { dateStyle: "short", timeStyle: "short" })}: ${[...names, first].join(", ").slice(0, 60)}`;
 }
 
 /** Asks, and begins an exercise. @param {Named} exercise */

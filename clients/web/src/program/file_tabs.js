@@ -10,12 +10,13 @@ import { kMain, troubleOfFiles, troubleOfName } from "./program_files.js";
 
 export class FileTabs {
   /**
-   * @param {{store: ProgramStore, panel: HTMLElement, onShow: () => void, offer: (text: string, action?: {name: string, act: () => void}) => void}} parts
-   *   `onShow`: another file is shown, or the files are others
+   * @param {{store: ProgramStore, panel: HTMLElement, onShow: () => void, onNew: () => void, offer: (text: string, action?: {name: string, act: () => void}) => void}} parts
+   *   `onShow`: another file is shown, or the files are others; `onNew`: afterwards, if a new file is shown
    */
-  constructor({ store, panel, onShow, offer }) {
+  constructor({ store, panel, onShow, onNew, offer }) {
     this.store = store;
     this.onShow = onShow;
+    this.onNew = onNew;
     this.offer = offer;
     this.list = byId("file-tabs");
     this.form = byId("file-name-form");
@@ -132,6 +133,7 @@ export class FileTabs {
   #add(name) {
     this.store.add({ name, text: "" });
     this.#changed();
+    this.onNew();
   }
 
   #rename() {

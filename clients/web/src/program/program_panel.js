@@ -17,6 +17,7 @@ import { ProgramStore } from "./program_store.js";
 /** @typedef {import("./program_files.js").Program} Program */
 
 const kStopped = new Set([130, 137]); // at a call; with its worker
+const kElsewhere = "The arm is not at its soft home, where most programs assume that it begins: press Home first, or Reset and run.\n";
 const kWide = matchMedia("(min-width: 1200px) and (min-height: 701px)");
 const kFirst = programOf(`import xr3
 
@@ -28,19 +29,20 @@ with xr3.Robot() as robot:
 
 export class ProgramPanel {
   /**
-   * @param {{machine: Machine | ServerPrograms, given: Promise<{program?: Program, origin: string, exercise?: string, hasGoals?: boolean}>, showError: (error: unknown) => void, openTab: () => void,
+   * @param {{machine: Machine | ServerPrograms, isAtHome: () => boolean, given: Promise<{program?: Program, origin: string, exercise?: string, hasGoals?: boolean}>, showError: (error: unknown) => void, openTab: () => void,
    *   offer: (text: string, action?: {name: string, act: () => void}) => void}} parts
    *   `given`: a program that came with a link, and that link; it is shown and not run. With goals, each run begins with the robot as at
-   *   the start.
+   *   the start. `isAtHome`: whether the arm is at its soft home.
    */
-  constructor({ machine, given, showError, openTab, offer }) {
+  constructor({ machine, isAtHome, given, showError, openTab, offer }) {
     this.machine = machine;
+    this.isAtHome = isAtHome;
     this.showError = showError;
     this.openTab = openTab;
     this.panel = byId("program-panel");
     this.offer = offer;
     this.store = new ProgramStore(kFirst, `xr3.program ${location.pathname}${location.search}`);
-    this.tabs = new FileTabs({ store: this.store, panel: this.panel, onShow: () => this.#shown(), offer });
+    this.tabs = new FileTabs({ store: this.store, panel: this.panel, onShow: () => this.#shown(), onNew: () => this.editor?.focus(), offer });
     this.goals = new GoalsView(byId("program-goals"));
     this.hasGoals = false;
     this.given = given.then((its) => this.#takeGiven(its)).catch(() => {}); // the page says that the link is damaged
@@ -54,10 +56,7 @@ export class ProgramPanel {
       refused: (why) => this.#refused(why),
     };
     byId("program-run").onclick = () => this.run();
-    byId("program-anew").onclick = () => {
-      machine.beginAnew();
-      this.run();
-    };
+    byId("program-anew").onclick = () => this.run({ isAnew: true });
     byId("program-stop").onclick = () => machine.stop();
     byId("program-clear").onclick = () => this.output.clear();
     byId("program-ask").onsubmit = (/** @type {Event} */ event) => this.#answer(event);
@@ -141,7 +140,9 @@ export class ProgramPanel {
   }
 
   #shown() {
-    this.editor?.show(this.store.shown);
+    const { files, main, shown } = this.store;
+    this.editor?.show(shown);
+    setText(byId("program-run"), files.length > 1 ? `Run ${main.name}` : "Run");
     this.#note();
   }
 
@@ -167,8 +168,9 @@ export class ProgramPanel {
 
   // --- Running.
 
-  run() {
+  run({ isAnew = false } = {}) {
     if (this.isRunning) return;
+    if (isAnew) this.machine.beginAnew();
     if (byId("program-side").hidden) this.toggle();
     this.isRunning = true;
     this.output.clear();
@@ -176,6 +178,7 @@ export class ProgramPanel {
     this.#allow();
     this.given.then(() => {
       if (this.hasGoals) this.machine.beginAnew();
+      else if (!isAnew && !this.isAtHome()) this.output.add("stderr", kElsewhere);
       this.machine.run(this.store.program);
     });
   }
