@@ -6,6 +6,7 @@ import os
 import pathlib
 import re
 import shutil
+import signal
 import subprocess
 import tempfile
 import unittest
@@ -97,6 +98,18 @@ class Frameworks(unittest.TestCase):
         code, printed = self.run_shell("cd node; node --test", XR3="/usr/bin/false")
         self.assertNotEqual(0, code)
         self.assertIn("xr3 serve has not started", printed)
+
+    def test_a_killed_test_leaves_no_server(self):
+        """The server has the standard error of the test, whose end the shell's caller waits for."""
+        self.run_project("node:test")
+        (self.folder / "killed.mjs").write_text("""
+import { startServer } from "./node/robot_server.mjs";
+console.log("robot", (await startServer()).port);
+process.kill(process.pid, "SIGKILL");
+""", encoding="utf-8")
+        code, printed = self.run_shell("exec node killed.mjs")
+        self.assertEqual(-signal.SIGKILL, code)
+        self.assertRegex(printed, r"\Arobot \d+\n\Z")
 
     def test_shell(self):
         self.assert_passes("Plain shell", r"\Aok turn\n\Z")

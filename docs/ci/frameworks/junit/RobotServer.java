@@ -19,7 +19,7 @@ class RobotServer implements AutoCloseable {
 
     RobotServer() throws IOException {
         process = new ProcessBuilder(program(), "serve", "--robot-port", "0", "--monitor-port", "0",
-                "--clock", "bytes", "--log-level", "warn")
+                "--clock", "bytes", "--log-level", "warn", "--until-stdin-ends")
                 .redirectError(ProcessBuilder.Redirect.INHERIT)
                 .start();
         String line = new BufferedReader(new InputStreamReader(process.getInputStream()))
@@ -50,7 +50,7 @@ class RobotServer implements AutoCloseable {
     }
 
     @Override
-    public void close() {
-        process.destroy();
+    public void close() throws IOException {
+        process.getOutputStream().close();
     }
 }

@@ -4,12 +4,13 @@ import { spawn } from "node:child_process";
 import { once } from "node:events";
 import { createInterface } from "node:readline";
 
+const FREE_PORTS = ["--robot-port", "0", "--monitor-port", "0"];
 const LISTENING = /^LISTENING robot=(\S+):(\d+) monitor=(\S+)/;
 
 export async function startServer(...options) {
   const server = spawn(
     process.env.XR3 || "xr3",
-    ["serve", "--robot-port", "0", "--monitor-port", "0", "--clock", "bytes", "--log-level", "warn", ...options],
+    ["serve", ...FREE_PORTS, "--clock", "bytes", "--log-level", "warn", "--until-stdin-ends", ...options],
     { stdio: ["pipe", "pipe", "inherit"] },
   );
   const ended = once(server, "close");
@@ -25,7 +26,7 @@ export async function startServer(...options) {
     // The robot's own state: joints, tool, blocks.
     state: async () => (await fetch(`http://${monitor}/state`)).json(),
     stop: () => {
-      server.kill();
+      server.stdin.end();
       return ended;
     },
   };
