@@ -7,6 +7,7 @@
 #include "cli/commands/fail.hpp"
 #include "cli/exec/exercise.hpp"
 #include "cli/exec/hide.hpp"
+#include "cli/exec/kept_transcripts.hpp"
 #include "cli/exec/pool.hpp"
 #include "protocol/text/text_stream.hpp"
 #include "server/files/atomic_write.hpp"
@@ -41,8 +42,10 @@ std::vector<RunReport> run_all(const ExecCommand& command, const Exercise& exerc
                  "",
                  0};
   if (count == 1) return {exercise.run(place)};
+  const KeptTranscripts kept;
   const auto run = [&](std::size_t index) {
     RunPlace its = place;
+    its.transcripts = &kept;
     its.run = index + 1;
     its.job = index;
     if (!its.folder.empty()) its.folder += "/" + run_name(its.run);
@@ -53,6 +56,7 @@ std::vector<RunReport> run_all(const ExecCommand& command, const Exercise& exerc
       in_processes(count, usual_jobs(), exercise.run_limit(), run, [](std::size_t) {});
   for (std::size_t i = 0; i < texts.size(); ++i)
     reports.push_back(report_of(texts[i], place.title, i + 1));
+  if (!exercise.is_varied()) kept.compare(reports, exercise.profile());
   return reports;
 }
 
@@ -79,6 +83,14 @@ void print(const std::vector<RunReport>& reports) {
              " runs passed\n");
 }
 
+/// Prints how many different transcripts there are, and the first difference of two.
+void print_differences(std::size_t count, const std::vector<RunReport>& reports) {
+  print_text(std::to_string(count) + " different transcripts in " + std::to_string(reports.size()) +
+             " runs: the program does not do the same every time\n");
+  for (const RunReport& each : reports)
+    if (!each.difference.empty()) print_text(each.difference + "\n");
+}
+
 void write_results(const ExecCommand& command, const std::vector<RunReport>& reports) {
   std::string json;
   for (const RunReport& each : reports) json += to_json(each);
@@ -86,6 +98,7 @@ void write_results(const ExecCommand& command, const std::vector<RunReport>& rep
   if (!files.json.empty()) write_file(files.json, json);
   if (!files.junit.empty()) write_file(files.junit, to_junit(reports));
   if (!files.markdown.empty()) write_file(files.markdown, to_markdown(reports));
+  if (!files.github.empty()) write_file(files.github, to_github(reports));
 }
 
 bool has_any(const std::vector<RunReport>& reports, RunOutcome outcome) {
@@ -104,10 +117,7 @@ ExitCode run_command(const ExecCommand& command) {
   write_results(command, reports);
   const std::set<std::string> found = transcripts(reports);
   const bool is_different = !exercise.is_varied() && found.size() > 1;
-  if (is_different)
-    print_text(std::to_string(found.size()) + " different transcripts in " +
-               std::to_string(reports.size()) +
-               " runs: the program does not do the same every time\n");
+  if (is_different) print_differences(found.size(), reports);
   if (has_any(reports, RunOutcome::kTimeUp)) return ExitCode::kTimeUp;
   if (has_any(reports, RunOutcome::kFailed)) return ExitCode::kProgramFailed;
   if (is_different) return ExitCode::kDifferent;

@@ -102,6 +102,8 @@ RunReport Exercise::run(const RunPlace& place) const {
   result.report.program = place.title;
   result.report.run = place.run;
   if (const auto variation = variation_of(place.run)) result.report.seed = variation->seed;
+  if (place.transcripts != nullptr)
+    place.transcripts->keep(result.report.transcript, result.transcript);
   if (!place.folder.empty()) {
     write_file(place.folder + "/end.svg", picture_of(result));
     write_private(place.folder + "/transcript.txt", result.transcript);

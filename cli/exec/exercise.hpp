@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli/exec/exercise_folder.hpp"
+#include "cli/exec/kept_transcripts.hpp"
 #include "cli/exec/run.hpp"
 #include "cli/options/options.hpp"
 #include "server/net/wall_clock.hpp"
@@ -29,6 +30,8 @@ struct RunPlace {
   std::size_t run = 0;
   std::string refused = {};  ///< reason to judge it without a run; empty to run it
   std::size_t job = 0;       ///< index; selects the user of the run if the judge is root
+  const KeptTranscripts* transcripts =
+      nullptr;  ///< transcripts of several runs; nullptr if there is one
 };
 
 class Exercise {
@@ -41,6 +44,8 @@ class Exercise {
   /// Runs a program. Throws FileError if a file cannot be written, or no place was found for a
   /// block.
   RunReport run(const RunPlace& place) const;
+
+  Profile profile() const { return seed_.model->profile(); }
 
   /// Whether each run has its own places of the blocks.
   bool is_varied() const { return options_.vary.has_value(); }

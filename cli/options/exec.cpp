@@ -128,6 +128,8 @@ void add_exec(CLI::App& app, ExecOptions& options, ServeOptions& server) {
             "write the results as JSON, one object a line");
   add_value(exec, "--markdown", options.markdown, "OUT.md",
             "write the results as a table in Markdown");
+  add_value(exec, "--github", options.github, "OUT.txt",
+            "write the missed goals as annotations for GitHub Actions");
   add_value(exec, "--out", options.out, "FOLDER",
             "new folder for output, recording, picture of the end and result of each run");
   exec.add_flag("--stdin", options.has_input, "the program reads standard input");

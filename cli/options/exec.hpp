@@ -50,9 +50,10 @@ struct ExecOptions {
   int repeat = 1;
   std::optional<Variation> vary;
   std::string csv;    ///< a table of joints over time; empty for none
-  std::string junit;  ///< a file for the results; empty for none, as for the next two
+  std::string junit;  ///< a file for the results; empty for none, as for the next three
   std::string json;
   std::string markdown;
+  std::string github;
   std::string out;  ///< a new folder for the files of each run; empty for none
   std::vector<std::string> command;
 };

@@ -20,17 +20,21 @@ if [ -n "${XR3_CACHE-}" ]; then
   fi
 fi
 
+apt_get() {
+  if [ "$(id -u)" = 0 ]; then apt-get "$@"; else sudo apt-get "$@"; fi
+}
+
 case ${XR3_PACKAGE-} in
   '') exec "$(dirname "$0")/../../run" --build ;;
   *://*)
     package=$(mktemp -d)/xr3.deb
-    command -v curl >/dev/null || { apt-get update; apt-get install -y --no-install-recommends ca-certificates curl; }
+    command -v curl >/dev/null || { apt_get update; apt_get install -y --no-install-recommends ca-certificates curl; }
     curl -fsSL --retry 3 -o "$package" "$XR3_PACKAGE"
     ;;
   *) package=$(cd "$(dirname "$XR3_PACKAGE")" && pwd)/$(basename "$XR3_PACKAGE") ;;
 esac
 [ -z "${XR3_PACKAGE_SHA256-}" ] || printf '%s  %s\n' "$XR3_PACKAGE_SHA256" "$package" | sha256sum --check --quiet -
-apt-get install -y --no-install-recommends "$package"
+apt_get install -y --no-install-recommends "$package"
 # At the same place as one that is built.
 mkdir -p "$(dirname "$0")/../../build/release"
 ln -sf "$(command -v xr3)" "$(dirname "$0")/../../build/release/xr3"

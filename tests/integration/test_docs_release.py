@@ -23,6 +23,12 @@ XR3_COMMAND = re.compile(r"(?:\$ )?((?:XR3_\w+=\S+ )*)(?:build/release/)?xr3 (.+
 CLIENT_COMMAND = re.compile(r"(?:\$ )?(?:nc|curl|printf|echo) .*localhost")
 # The commands in fences that other tests run: the file and the beginning of the line, and the test.
 ELSEWHERE = {
+    "frameworks.md: cmake ": "test_frameworks.py",
+    "frameworks.md: cp ": "test_frameworks.py",
+    "frameworks.md: ctest ": "test_frameworks.py",
+    "frameworks.md: java ": "test_frameworks.py",
+    "frameworks.md: javac ": "test_frameworks.py",
+    "frameworks.md: node ": "test_frameworks.py",
     "README.md: cc ": "test_course.py",
     "README.md: cp ": "test_course.py",
     "README.md: ./run": "test_run.py",

@@ -131,6 +131,36 @@ class Exec(unittest.TestCase):
         done = self.run_exec("--repeat", 4, "--", sys.executable, path, code=8)
         self.assertRegex(done.stdout, r"[234] different transcripts in 4 runs")
 
+    def test_two_runs_that_differ_are_compared(self):
+        path = self.write("p.py", HEAD + "go(E=10)\n"
+                          "try:\n    open('turn', 'x')\n    go(F=7)\nexcept FileExistsError:\n    go(F=9)\n")
+        done = self.run_exec("--repeat", 2, "--out", "runs", "--json", "r.json", "--markdown", "r.md", "--junit", "r.xml",
+                             "--github", "r.txt", "--", sys.executable, path, code=8)
+        difference = done.stdout.splitlines()[-1]
+        found = re.fullmatch(r"run 1 and run 2 differ first on line 1 after (\d+) bytes: run 1 sent F\+([79])\\r \(move F \+\2\) "
+                             r"at tick (\d+), run 2 sent F\+([79])\\r \(move F \+\4\) at tick \3", difference)
+        self.assertTrue(found, difference)
+        self.assertNotEqual(found[2], found[4])
+        transcript = (self.folder / "runs/001/transcript.txt").read_text(encoding="utf-8")
+        before, after = transcript.split(f"{found[3]} 1 > F+{found[2]}\\r\n")
+        sent = [row.split(" ", 3)[3] for row in before.splitlines() if " > " in row]
+        self.assertEqual(int(found[1]), len("".join(sent).replace("\\r", "\r")))
+        self.assertIn("F?", after)
+        results = [json.loads(line) for line in (self.folder / "r.json").read_text(encoding="utf-8").splitlines()]
+        self.assertEqual([None, difference], [each.get("difference") for each in results])
+        self.assertIn(f"::error title={sys.executable} {path}%2C run 2::{difference}\n", (self.folder / "r.txt").read_text(encoding="utf-8"))
+        self.assertEqual(["0", "1"], [suite.get("failures") for suite in self.junit("r.xml")])
+        self.assertIn("differ first", (self.folder / "r.md").read_text(encoding="utf-8"))
+
+    def test_annotations_of_github(self):
+        self.goals.write_text(json.dumps({"goals": [{"kind": "holding", "name": "red", "hint": "100 %\nof it"}, {"kind": "no_stall"}]}),
+                              encoding="utf-8")
+        self.judge(HEAD + "go(F=20)\n", "--github", "r.txt", code=5)
+        title = f"{sys.executable} {self.folder / 'program.py'}"
+        self.assertEqual(f"::error title={title}::the jaws hold block red: they hold nothing%0Ahint: 100 %25%0Aof it\n"
+                         f"::error title={title}::not counted: a robot without a program meets them, too, and no other goal is met\n",
+                         (self.folder / "r.txt").read_text(encoding="utf-8"))
+
     def test_variations_have_other_places_each(self):
         path = self.write("p.py", HEAD)
         self.run_exec("--vary", "7:30,45", "--repeat", 3, "--out", "runs", "--json", "all.json", "--", sys.executable, path)

@@ -53,6 +53,7 @@ std::string to_json(const RunReport& report) {
                {"goals", std::move(goals)},
                {"top_view", report.top_view}};
   if (!report.transcript.empty()) json["transcript"] = report.transcript;
+  if (!report.difference.empty()) json["difference"] = report.difference;
   if (!report.errors.empty()) json["stderr"] = report.errors;
   if (report.seed) json["seed"] = *report.seed;
   if (report.run > 0) json["run"] = report.run;
@@ -75,6 +76,7 @@ RunReport parse_report(const std::string& json) {
   report.has_control = its.at("monitor_control");
   report.top_view = its.at("top_view");
   report.transcript = its.value("transcript", std::string());
+  report.difference = its.value("difference", std::string());
   report.errors = its.value("stderr", std::string());
   if (its.contains("seed")) report.seed = its.at("seed").get<std::uint64_t>();
   report.run = its.value("run", std::size_t{0});
@@ -88,7 +90,8 @@ std::string to_markdown(const std::vector<RunReport>& reports) {
             (report.seed ? ", blocks of seed " + std::to_string(*report.seed) : "") + ": " +
             std::to_string(points_of(report.goals)) + " of " +
             std::to_string(max_points_of(report.goals)) + "\n\n";
-    if (!report.why.empty()) text += "**" + cell_text(report.why) + "**\n\n";
+    for (const std::string& each : {report.why, report.difference})
+      if (!each.empty()) text += "**" + cell_text(each) + "**\n\n";
     if (report.goals.empty()) continue;
     text += "| | goal | found | points |\n|---|---|---|---|\n";
     for (const GoalResult& each : report.goals)

@@ -21,6 +21,8 @@ struct JunitCase {
 };
 
 JunitCase case_of(const RunReport& report) {
+  if (report.why.empty() && !report.difference.empty())
+    return {"program", "failure", report.difference};
   if (report.why.empty() || report.is_passed()) return {"program"};
   return {"program", report.outcome == RunOutcome::kNotRun ? "skipped" : "error", report.why};
 }

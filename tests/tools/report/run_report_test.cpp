@@ -143,7 +143,8 @@ TEST(RunReport, EveryFormIsPrintable) {
   report.goals[1].hint = "\u2028";
   report.top_view = "a \u009b\n";
   const std::string all[] = {to_text(report),    to_json(report),   to_markdown({report}),
-                             to_junit({report}), to_html({report}), to_csv({report})};
+                             to_junit({report}), to_html({report}), to_csv({report}),
+                             to_github({report})};
   for (const std::string& form : all) EXPECT_EQ(form, printable_lines(form));
   const std::string name = R"(Ren\xe9\x1b\xc2\x9b\xe2\x80\xae\xe2\x80\xa8\xef\xbf\xbf)";
   EXPECT_EQ(parse_report(to_json(report)).program, name);
@@ -218,6 +219,36 @@ TEST(ClassReport, ACellOfTheTableIsNoFormula) {
   EXPECT_EQ(to_csv({report}),
             "submission,outcome,points,max_points,sim_seconds,bytes,missed\n"
             "\"'=1+1\",finished,2,5,1.25,17,\"block red at x 1 mm: it is at x 2 mm | y\"\n");
+}
+
+TEST(RunReport, AnnotationsOfGithubAreForProblemsOnly) {
+  RunReport report = some_report();
+  report.run = 2;
+  report.goals.back().found = "100 %,\r\nor :: so";
+  EXPECT_EQ(
+      to_github({report}),
+      "::error title=pick <a> & \"b\".py%2C run 2::block red at x 1 mm: 100 %25,\\x0d%0Aor :: "
+      "so%0Ahint: look `again`\n");
+  report.goals.clear();
+  EXPECT_EQ(to_github({report}), "");
+  report.program = "a:b";
+  report.run = 0;
+  report.why = "time is up";
+  report.not_counted = "the program failed";
+  EXPECT_EQ(
+      to_github({report}),
+      "::error title=a%3Ab::time is up\n::error title=a%3Ab::not counted: the program failed\n");
+}
+
+TEST(RunReport, ARunThatDiffersFromAnotherIsAProblemInEachForm) {
+  RunReport report;
+  report.program = "a.py";
+  report.difference = "run 1 and run 2 differ first";
+  EXPECT_NE(to_markdown({report}).find("**run 1 and run 2 differ first**"), std::string::npos);
+  EXPECT_NE(to_junit({report}).find("<failure message=\"run 1 and run 2 differ first\"/>"),
+            std::string::npos);
+  EXPECT_EQ(to_github({report}), "::error title=a.py::run 1 and run 2 differ first\n");
+  EXPECT_EQ(parse_report(to_json(report)).difference, report.difference);
 }
 
 }  // namespace
