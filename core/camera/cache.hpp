@@ -29,8 +29,8 @@ class CameraCache {
   CameraCache() = default;
   /// A copy of a machine has a cache of its own, which begins empty.
   CameraCache(const CameraCache& /*other*/) {}
-  CameraCache& operator=(const CameraCache& /*other*/) {
-    touch();
+  CameraCache& operator=(const CameraCache& other) {
+    if (&other != this) touch();
     return *this;
   }
   ~CameraCache() = default;
