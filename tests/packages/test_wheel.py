@@ -18,6 +18,19 @@ for entry in importlib.metadata.distribution("xr3").entry_points:
     entry.load()
     print(entry.group, entry.name)
 """
+# Tests of a project that has nothing of the checkout: its own code, and a program that it starts.
+PROJECT = """
+import subprocess, sys
+
+def test_the_arm_moves(robot, monitor):
+    robot.move("E", 20)
+    robot.wait("E")
+    assert monitor.counts()["E"] == 20
+
+def test_a_program(xr3_server):
+    program = "import xr3; robot = xr3.connect(); robot.move('E', 20); robot.wait('E'); print(robot.to_go('E'))"
+    assert subprocess.check_output([sys.executable, "-c", program]) == b"0\\n"
+"""
 
 
 def shown_commands():
@@ -63,11 +76,17 @@ class Wheel(Built):
                          " unshare --net ~/robots/bin/pip install --no-index --find-links FOLDER xr3")
                 self.assertRegex(root.run(INSIDE + "xr3 --version"), rf"^xr3 {re.escape(VERSION)} ")
                 self.load_entry_points(root)
+                self.run_a_project(root)
                 self.install_the_source(root)
 
     def load_entry_points(self, root):
         (root.path / "tmp/load.py").write_text(LOAD_ENTRY_POINTS, encoding="utf-8")
         self.assertEqual("pytest11 xr3\n", root.run(INSIDE + "python load.py"))
+
+    def run_a_project(self, root):
+        root.run(f"mkdir ~/project; chown {USER} ~/project")
+        (root.path / "tmp/project/test_robot.py").write_text(PROJECT, encoding="utf-8")
+        self.assertIn("2 passed", root.run(INSIDE + "cd project; python -m pytest -W error", user=USER))
 
     def install_the_source(self, root):
         root.run(INSIDE + "pip uninstall --yes xr3; unshare --net pip install --no-index --no-build-isolation"
