@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "server/log.hpp"
+#include "server/net/spawn.hpp"
+#include "server/net/standard_input.hpp"
 #include "server/net/wall_clock.hpp"
 #include "server/print.hpp"
 
@@ -178,6 +180,8 @@ ExitCode App::run() {
   keep_histories();
   open_device();
   await_signal();
+  if (options_.is_until_stdin_ends)
+    spawn_loop(io_.get_executor(), "standard input", await_end_of_input());
   announce();
   const ExitCode code = serve();
   if (code != ExitCode::kGood) return code;
@@ -304,6 +308,16 @@ void App::await_signal() {
   });
 }
 
+asio::awaitable<void> App::await_end_of_input() {
+  StandardInput input(io_);
+  while (true) {
+    const std::string_view bytes = co_await input.read();
+    if (bytes.empty()) break;
+  }
+  spdlog::info("standard input has ended: stopping");
+  stop();
+}
+
 void App::after_input(HostedCell& cell) {
   stage_ == Stage::kDraining ? ended() : monitor_port_.service().changed(cell);
 }
@@ -327,6 +341,7 @@ std::size_t App::close_greediest() {
 // Closes the ports, and lets lines and connections end by themselves until the deadline. ended()
 // stops the event loop when the last of them has ended, even if other handlers still wait.
 void App::stop() {
+  if (stage_ == Stage::kDraining) return;
   stage_ = Stage::kDraining;
   service_manager_.stopping();
   port_file_.reset();

@@ -9,8 +9,8 @@
 // of JSON clients, session/ their state, service/ their requests, and resources/ and http/ serve
 // browsers. recording/ writes the inputs of a cell to a file. All runs in one thread, in the event
 // loop of run(), except for long work, such as a picture (net/worker.hpp), and the transfer of
-// pseudo-terminals. A signal ends it: ports are closed, lines and connections get a second to
-// drain, and recordings and port file are finished.
+// pseudo-terminals. A signal, or the end of standard input, ends it: ports are closed, lines and
+// connections get a second to drain, and recordings and port file are finished.
 #pragma once
 
 #include <boost/asio/signal_set.hpp>
@@ -54,8 +54,9 @@ class App {
   /// this server begins. Closes its lines after it, and does not log its events.
   void begin_with(const std::function<void(Cell&)>& replay);
 
-  /// Serves until SIGTERM, SIGINT or SIGHUP, then sends pending replies and returns kGood. An
-  /// exception from any loop or handler ends it at once: it is logged, and the result is kBroken.
+  /// Serves until SIGTERM, SIGINT or SIGHUP, or with --until-stdin-ends the end of standard input,
+  /// then sends pending replies and returns kGood. An exception from any loop or handler ends it at
+  /// once: it is logged, and the result is kBroken.
   /// Throws ExitError if it cannot listen on a port; FileError if a file or pseudo-terminal cannot
   /// be made.
   ExitCode run();
@@ -86,6 +87,7 @@ class App {
   void announce_token() const;
   void announce_page() const;
   void await_signal();
+  asio::awaitable<void> await_end_of_input();
   void stop();
   void end_soon();
   HostedCell& first() const { return *cells_.all().front(); }

@@ -15,7 +15,7 @@
 
 #include "cli/exec/private_network.hpp"
 #include "cli/exec/program_user.hpp"
-#include "cli/term/standard_input.hpp"
+#include "server/net/standard_input.hpp"
 #include "server/net/asio.hpp"
 
 namespace xr3 {

@@ -17,6 +17,8 @@ constexpr int kMaxLines = 20000;
 constexpr int kMaxCells = 10000;
 constexpr double kMaxLingerS = 86400;
 constexpr int kMinMemoryMib = 64;
+// An argument only: standard input belongs to a single process.
+constexpr const char* kUntilStdinEnds = "--until-stdin-ends";
 
 std::string check_token_word(const std::string& word) {
   return word == "auto" ? ""
@@ -81,6 +83,12 @@ void add_cells(CLI::App& serve, ServeOptions& options) {
       ->capture_default_str();
   add_flag(serve, "--bind-peer", options.binds_peer,
            "the first address that speaks on a robot port keeps it; others are disconnected");
+}
+
+void add_end(CLI::App& serve, ServeOptions& options) {
+  add_flag(serve, kUntilStdinEnds, options.is_until_stdin_ends,
+           "stop as on SIGTERM when standard input ends, as with the process at its other end");
+  serve.get_option(kUntilStdinEnds)->configurable(false);
 }
 
 Leave refuse(const std::string& why) {
@@ -272,8 +280,9 @@ void add_serve(CLI::App& app, ServeOptions& options) {
              "how long the past of a cell is kept, to look at it and go back to it (default: 1h)");
   add_log(serve, options);
   add_access(serve, options);
+  add_end(serve, options);
   add_config(serve, options.config);
-  read_environment(serve, {"--token"});
+  read_environment(serve, {"--token", kUntilStdinEnds});
   serve.parse_complete_callback([&serve, &options] { complete(serve, options); });
 }
 

@@ -9,7 +9,7 @@
 #include "cli/options/term.hpp"
 #include "cli/term/raw_terminal.hpp"
 #include "cli/term/session.hpp"
-#include "cli/term/standard_input.hpp"
+#include "server/net/standard_input.hpp"
 #include "tools/term/screen.hpp"
 #include "tools/term/typist.hpp"
 

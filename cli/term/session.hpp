@@ -4,14 +4,14 @@
 // The flow through the folder: run_command() (term.cpp) opens the peer (peer.hpp): a TCP
 // connection, perhaps with RFC 2217 (tcp_peer.hpp), or a device (device_peer.hpp). At a terminal
 // TermConsole (console.hpp) switches it to raw keys (raw_terminal.hpp), reads them
-// (standard_input.hpp), and asks tools/term for their meaning; for a script TermPipe (pipe.hpp)
-// passes standard input on unchanged. Both are the listener of a TermSession and queue bytes, files
-// and breaks in it. One coroutine of the session writes: it takes the next chunk, unless too many
-// inquiries are unanswered or the peer has suspended sending. The other reads, and passes the bytes
-// through the LineDecoder (tools/term/line_decoder.hpp) to the listener, with decoded replies. A
-// timer completes replies of unknown length and reports missing ones. The session ends when the
-// input has ended and is answered, or when the peer is lost; then it stops the context with the
-// exit code.
+// (server/net/standard_input.hpp), and asks tools/term for their meaning; for a script TermPipe
+// (pipe.hpp) passes standard input on unchanged. Both are the listener of a TermSession and queue
+// bytes, files and breaks in it. One coroutine of the session writes: it takes the next chunk,
+// unless too many inquiries are unanswered or the peer has suspended sending. The other reads, and
+// passes the bytes through the LineDecoder (tools/term/line_decoder.hpp) to the listener, with
+// decoded replies. A timer completes replies of unknown length and reports missing ones. The
+// session ends when the input has ended and is answered, or when the peer is lost; then it stops
+// the context with the exit code.
 #pragma once
 
 #include <chrono>

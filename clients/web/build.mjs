@@ -57,11 +57,13 @@ async function exercises() {
   }));
 }
 
-/** The package xr3 for completion and Help (src/lib/python_api.js). A test compares docs/python-api.md with the docstrings. */
+/** The package xr3 for completion and Help (src/lib/python_api.js), without the last section of docs/python-api.md, which is not for the page. A test
+ * compares docs/python-api.md with the docstrings. */
 async function pythonApi() {
-  const reference = await readFile(path("../../docs/python-api.md"), "utf8");
-  const names = /__all__ = \[(.*?)\]/s.exec(await readFile(path("../../clients/python/xr3/__init__.py"), "utf8"))[1].matchAll(/\w+/g);
-  const api = { xr3: Object.fromEntries([...names].map(([name]) => [name, { args: "", form: name, text: "" }])) };
+  const [reference, elsewhere] = (await readFile(path("../../docs/python-api.md"), "utf8")).split("\n## Servers and verdicts\n");
+  const names = [.../__all__ = \[(.*?)\]/s.exec(await readFile(path("../../clients/python/xr3/__init__.py"), "utf8"))[1].matchAll(/\w+/g)];
+  const here = names.filter(([name]) => !elsewhere.includes(`\n### ${name}\n`));
+  const api = { xr3: Object.fromEntries(here.map(([name]) => [name, { args: "", form: name, text: "" }])) };
   for (const [, heading, code, paragraph] of reference.matchAll(/^####? ([\w.]+)\n\n```python\n(.+?)\n```\n\n(.+?)\n\n/gms)) {
     const [owner, name] = heading.includes(".") ? heading.split(".") : ["xr3", heading];
     (api[owner] ??= {})[name] = described(code.replace(/\s+/g, " "), paragraph.replace(/\s+/g, " "));

@@ -9,7 +9,8 @@
 // connection, while those of a loop end the process. memory_limit.hpp sums up what all connections
 // hold and closes the greediest beyond --max-memory. Long pure work is done in a worker thread
 // (worker.hpp). loop_lag.hpp measures the delay of the event loop, service_manager.hpp reports to
-// systemd. line_transports.hpp is the interface by which calls of the monitor reach the lines.
+// systemd. standard_input.hpp reads the input of the process, also of other commands.
+// line_transports.hpp is the interface by which calls of the monitor reach the lines.
 #pragma once
 
 #include <functional>

@@ -88,6 +88,7 @@ struct ServeOptions {
   std::vector<std::string> allow_origins;
   std::vector<std::string> allow_frames;  ///< origins
   bool is_insecure = false;
+  bool is_until_stdin_ends = false;
   std::string config;  ///< a config file; empty for none
   OptionSources option_sources;
 };

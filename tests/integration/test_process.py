@@ -168,6 +168,57 @@ class ExitCodes(unittest.TestCase):
                                      run_xr3("--version").stdout))
 
 
+class EndOfInput(unittest.TestCase):
+    """--until-stdin-ends"""
+
+    def setUp(self):
+        self.input, self.other_end = os.pipe()
+        self.addCleanup(os.close, self.input)
+
+    def server(self, *options, **more):
+        command = ["sh", "-c", f'exec "$@" <&{self.input}', "sh", XR3, "serve"]
+        return Server(*options, command=command, pass_fds=[self.input], **more)
+
+    def test_ends_in_order_when_the_input_ends(self):
+        with tempfile.TemporaryDirectory() as folder:
+            ports, run = pathlib.Path(folder, "ports"), pathlib.Path(folder, "run.xr3rec")
+            with self.server("--until-stdin-ends", "--port-file", ports, "--record", run) as xr3, xr3.monitor() as monitor:
+                line = xr3.line()
+                os.write(self.other_end, b"E+50\n")
+                self.assertEqual(32, line.ask("E?"), "what arrives is not used")
+                os.close(self.other_end)
+                self.assertEqual("shutdown", monitor.read()["why"])
+                self.assertEqual(b"", line.read_to_end())
+                line.close()
+                self.assertEqual(0, xr3.process.wait(DEADLINE_S))
+                xr3.wait_log("standard input has ended: stopping")
+            self.assertFalse(ports.exists())
+            self.assertEqual(0, run_xr3("replay", run).returncode)
+
+    def test_a_file_ends_at_once(self):
+        done = run_xr3("serve", "--robot-port", 0, "--monitor-port", 0, "--until-stdin-ends", stdin=subprocess.DEVNULL)
+        self.assertEqual(0, done.returncode, done.stderr)
+        self.assertRegex(done.stdout, "^LISTENING ")
+
+    def test_signals_end_it_too(self):
+        with self.server("--until-stdin-ends") as xr3:
+            self.assertEqual(0, xr3.stop())
+        os.close(self.other_end)
+
+    def test_is_an_argument_only(self):
+        with self.server(environment={"XR3_UNTIL_STDIN_ENDS": "1"}) as xr3, xr3.line() as line:
+            os.close(self.other_end)
+            self.assertEqual(32, line.ask("E?"))
+            self.assertEqual(0, xr3.stop())
+            self.assertNotIn("standard input", xr3.log())
+        with tempfile.NamedTemporaryFile("w", suffix=".toml") as file:
+            file.write("until-stdin-ends = true\n")
+            file.flush()
+            done = run_xr3("serve", "--config", file.name)
+            self.assertEqual(2, done.returncode)
+            self.assertIn("until-stdin-ends: unknown key", done.stderr)
+
+
 class Shutdown(unittest.TestCase):
     SIGNALS = (signal.SIGTERM, signal.SIGINT)
 

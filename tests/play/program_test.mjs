@@ -99,6 +99,13 @@ test("a traceback leads to its line; the next run begins anew; input() asks; the
   assert.deepEqual(timed, { state: "Ended", output: "True\nTrue" });
 }));
 
+test("xr3.Server and xr3.judge say that a program in the page starts no others; completion and Help do not offer them", () => withProgram({}, async (page, { run }) => {
+  const { output } = await run("import xr3\nfor use in (xr3.Server, lambda: xr3.judge('program.py')):\n    try:\n        use()\n    except xr3.ServerError as error:\n        print(error)");
+  assert.match(output, /^(a program in the page cannot start others: xr3\.Robot\(\) drives the robot of the page\n?){2}$/);
+  const { xr3 } = await page.evaluate(async () => (await fetch("data/python.json")).json());
+  assert.deepEqual(["Robot", "Server", "ServerError", "Verdict", "judge", "show"].filter((name) => name in xr3), ["Robot", "show"]);
+}));
+
 test("a line ends as on a server: after the last reply, when a program sends no more, or by a fault", () => withProgram(
   { faults: '{"faults":[{"name":"cut","kind":"line_disconnected","after_bytes":4}]}' }, async (page, { run }) => {
     const { output } = await run("import socket\ns = socket.create_connection(('robot', 9600))\ns.sendall(b'E?')\ns.shutdown(socket.SHUT_WR)\nprint(s.makefile('rb').read())\n"

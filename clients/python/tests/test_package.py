@@ -9,6 +9,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+from importlib import metadata
 from pathlib import Path
 
 from context import XR3
@@ -33,6 +34,9 @@ class Installed(unittest.TestCase):
                                   stdout=subprocess.PIPE).stdout
             self.assertEqual(f"{xr3.__version__} {site / 'xr3'}\n", said)
             self.assertTrue((site / "xr3" / "py.typed").exists())
+            plugins = [each for found in metadata.distributions(path=[str(site)]) for each in found.entry_points
+                       if each.group == "pytest11"]
+            self.assertEqual([("xr3", "xr3.pytest_plugin")], [(each.name, each.value) for each in plugins])
 
     def test_version_is_that_of_xr3(self):
         said = subprocess.run([XR3, "--version"], check=True, timeout=60, text=True,

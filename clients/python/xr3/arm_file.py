@@ -42,7 +42,7 @@ def load(file: Union[str, "os.PathLike[str]"], make: Callable[..., Made]) -> Mad
         text = path.read_text(encoding="utf-8")
         robot = json.loads("\n".join("" if line.lstrip().startswith("*") else line
                                      for line in text.split("\n")))
-        return _arm(path.stem, robot, make)
+        return arm_of(path.stem, robot, make)
     except KeyError as error:
         why = f"the member {error.args[0]!r} is missing"
     except (ArithmeticError, IndexError, TypeError, ValueError) as error:  # json raises some of them, too
@@ -51,7 +51,8 @@ def load(file: Union[str, "os.PathLike[str]"], make: Callable[..., Made]) -> Mad
                      "file; `xr3 convert` makes JSON of the paper's plain form")
 
 
-def _arm(name: str, robot: Dict[str, Any], make: Callable[..., Made]) -> Made:
+def arm_of(name: str, robot: Dict[str, Any], make: Callable[..., Made]) -> Made:
+    """The arm with this name, of the members of a robot file. `make` is Arm."""
     unit = _choice(robot, "length_unit", {"mm": 1.0, "inch": 25.4})
     joints = tuple(_joint(each, unit) for each in robot["joints"])
     labels = [joint.label for joint in joints]

@@ -1,4 +1,4 @@
-#include "cli/term/standard_input.hpp"
+#include "server/net/standard_input.hpp"
 
 #include <sys/stat.h>
 #include <unistd.h>
