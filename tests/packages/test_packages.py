@@ -15,11 +15,13 @@ import tarfile
 import tempfile
 import time
 import unittest
+import zipfile
 
 from built import ANSWERS, SERVE_AND_ASK, VERSION, WORK, Built, clone, hashes, need_root as setUpModule, run
 from roots import ROOT, SUITES, Root
 
 NEXT = "9.8.7"
+
 
 def replace_once(path, pattern, text):
     changed, count = re.subn(pattern, text, path.read_text(encoding="utf-8"), count=1, flags=re.M)
@@ -74,7 +76,7 @@ class DebianPackage(Built):
         tree = tempfile.mkdtemp(dir=self.folder)
         run("dpkg-deb", "-R", debian_package(self.packages), f"{tree}/package")
         replace_once(pathlib.Path(tree, "package", "DEBIAN", "control"), r"^Version: .*$", f"Version: {NEXT}")
-        run("dpkg-deb", "--root-owner-group", "-b", f"{tree}/package", self.folder)
+        run("dpkg-deb", "--root-owner-group", "-Znone", "-b", f"{tree}/package", self.folder)
         return os.path.join(self.folder, f"xr3_{NEXT}_amd64.deb")
 
     def test_life_in_a_bare_system(self):
@@ -263,6 +265,7 @@ class Release(unittest.TestCase):
         with tarfile.open(folder / f"xr3-{NEXT}-page.tar.gz") as page:
             self.assertIn(f"xr3-{NEXT}-page/index.html", page.getnames())
         self.check_arm64(checkout, folder / f"xr3_{NEXT}_arm64.deb")
+        self.check_wheel_of_arm64(folder / f"xr3-{NEXT}-py3-none-manylinux_2_36_aarch64.whl")
 
     def check_components(self, path):
         document = json.loads(path.read_text(encoding="utf-8"))
@@ -293,6 +296,12 @@ class Release(unittest.TestCase):
             data = {**os.environ, "XR3_DATA": f"{tree}/usr/share/xr3"}
             ours = run(checkout / "build" / "package" / "xr3", "kin", "--counts", "100,-50,30,20,10", env=data)
             self.assertEqual(ours, run(*program, "kin", "--counts", "100,-50,30,20,10", env=data))
+
+    def check_wheel_of_arm64(self, path):
+        with zipfile.ZipFile(path) as wheel:
+            program = wheel.read(f"xr3-{NEXT}.data/scripts/xr3")
+        arm64 = 183  # e_machine in the header of ELF
+        self.assertEqual(arm64, int.from_bytes(program[18:20], "little"))
 
 
 if __name__ == "__main__":

@@ -18,6 +18,7 @@ for entry in importlib.metadata.distribution("xr3").entry_points:
     entry.load()
     print(entry.group, entry.name)
 """
+
 # Tests of a project that has nothing of the checkout: its own code, and a program that it starts.
 PROJECT = """
 import subprocess, sys
