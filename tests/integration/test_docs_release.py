@@ -40,6 +40,7 @@ ELSEWHERE = {
     "operations.md: sudo ": "test_operations.py",
     "operations.md: head -c": "test_operations.py",
     "operations.md: scripts/capacity": "test_operations.py",
+    "packages.md: python3 -m venv": "../packages/test_wheel.py",
     "packages.md: sudo apt install": "../packages/test_packages.py",
     "packages.md: sudo systemctl": "test_operations.py",
     "packages.md: tar ": "../packages/test_packages.py",

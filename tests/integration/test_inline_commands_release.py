@@ -41,7 +41,7 @@ KINDS = {
     "exits_with_0": r"xr3 --version|build/release/xr3 serve --help|ulimit -n|ss -ltnp",
     "runs_the_checkout": r"\./run( .*)?",
     "runs_a_suite": r"\./test( .*)?",
-    "is_a_script": r"(scripts/(build-cost|capacity|notes|package|pictures|playground|release|site|viewer|llvm-tool|setup)"
+    "is_a_script": r"(scripts/(build-cost|capacity|notes|package|pictures|playground|release|site|viewer|wheel|llvm-tool|setup)"
                    r"|tests/fuzz/minimise)"
                    r"( (?!-).*)?",
     "uses_a_preset": r"(cmake|cmake --build|ctest) --preset \S+.*",
@@ -52,7 +52,8 @@ KINDS = {
     "is_a_session": r"telnet localhost 9600",
     "names_packages": r"(apt-get install|gcc|g\+\+|rustc|octave) [a-z+].*",
     "writes_the_manual": r"xr3 manual .*",
-    "is_of_the_tests_of_packages": r"apt (remove|purge)|gunzip|docker load -i|sudo tar xf .* --strip-components=1",
+    "is_of_the_tests_of_packages": r"apt (remove|purge)|gunzip|docker load -i|sudo tar xf .* --strip-components=1"
+                                   r"|python3 -m venv .*",
     "is_of_a_release": r"sudo apt install .*|tar xf xr3-.*|gunzip xr3-.*|docker load -i xr3-.*|docker run .* xr3:VERSION",
     "is_of_the_image": r"docker (build|exec|run|stop)( .*)?",
     "is_of_the_tests_of_images": r"buildah bud --format docker|rm -rf build/images",
@@ -317,7 +318,7 @@ class Commands(unittest.TestCase):
 
     def is_of_the_tests_of_packages(self, command):
         """Those run these commands in bare systems, with apt-get for apt; `docker load` reads what scripts/image saves."""
-        tests = pathlib.Path(ROOT, "tests", "packages", "test_packages.py").read_text(encoding="utf-8")
+        tests = "".join(path.read_text(encoding="utf-8") for path in pathlib.Path(ROOT, "tests", "packages").glob("test_*.py"))
         scripts = pathlib.Path(ROOT, "scripts", "image").read_text(encoding="utf-8")
         words = command.text.replace("apt ", "apt-get ").split()
         self.assertTrue(all(word in tests + scripts for word in words if word[0] != "x" and word not in ("xf", "sudo")),

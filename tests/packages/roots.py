@@ -13,13 +13,14 @@ SUITES = ("bookworm", "trixie")  # Debian 12 and 13
 ISOLATION = ("unshare", "--mount", "--pid", "--fork", "--kill-child")
 
 
-def base_of(suite):
-    """The unchanged root file system of this release of Debian."""
-    base = FOLDER / suite
+def base_of(suite, packages=()):
+    """The unchanged root file system of this release of Debian, with these packages."""
+    base = FOLDER / "+".join((suite, *packages))
     if not (base / "complete").exists():
         shutil.rmtree(base, ignore_errors=True)
         FOLDER.mkdir(parents=True, exist_ok=True)
-        subprocess.run(["mmdebstrap", "--quiet", "--variant=minbase", suite, base], check=True, timeout=600)
+        subprocess.run(["mmdebstrap", "--quiet", "--variant=minbase", *(f"--include={name}" for name in packages), suite, base],
+                       check=True, timeout=600)
         (base / "complete").touch()
     return base
 
@@ -27,9 +28,9 @@ def base_of(suite):
 class Root:
     """A copy of a bare system, for one test."""
 
-    def __init__(self, suite, folder):
+    def __init__(self, suite, folder, packages=()):
         self.path = pathlib.Path(folder) / "root"
-        subprocess.run(["cp", "-a", "--reflink=auto", base_of(suite), self.path], check=True, timeout=120)
+        subprocess.run(["cp", "-a", "--reflink=auto", base_of(suite, packages), self.path], check=True, timeout=120)
 
     def run(self, script, timeout=120, user=None):
         """Runs a shell script in it, as root or as this user number; returns its output, or raises with it."""

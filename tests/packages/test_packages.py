@@ -2,8 +2,6 @@
 removed and purged in bare Debian 12 and 13; the tarball runs there as a user; the program for arm64 runs under QEMU;
 scripts/release makes all files of a release, or refuses. Needs root. `./test --packages`."""
 
-import functools
-import hashlib
 import json
 import os
 import pathlib
@@ -17,50 +15,12 @@ import tarfile
 import tempfile
 import time
 import unittest
+import zipfile
 
+from built import ANSWERS, SERVE_AND_ASK, VERSION, WORK, Built, clone, hashes, need_root as setUpModule, run
 from roots import ROOT, SUITES, Root
 
-WORK = ROOT / "build" / "packages-test"
-VERSION = re.search(r"project\(xr3 VERSION (\S+)", (ROOT / "CMakeLists.txt").read_text()).group(1)
 NEXT = "9.8.7"
-
-# Asks the robot at port 9600 for the error of a motor, and port 9601 for its sites, by bash alone.
-SERVE_AND_ASK = """
-xr3 serve --log-level warn >/tmp/out & server=$!
-until grep -q LISTENING /tmp/out; do kill -0 $server; done
-/bin/bash -c 'exec 3<>/dev/tcp/127.0.0.1/9600; printf "E?" >&3
-  IFS= read -r -n 1 -t 10 reply <&3; printf "reply [%s]\\n" "$reply"
-  for path in /docs/ /play/ /play/xr3.wasm /docs/tutorial/0-in-a-page.html; do
-    exec 4<>/dev/tcp/127.0.0.1/9601; printf "GET $path HTTP/1.1\\r\\nHost: localhost\\r\\n\\r\\n" >&4
-    IFS= read -r -t 10 status <&4; printf "$path [%s]\\n" "${status%?}"
-  done'
-xr3 healthcheck
-kill $server; wait $server
-"""
-ANSWERS = "reply [ ]\n" + "".join(f"{path} [HTTP/1.1 200 OK]\n" for path in (  # a blank: no error
-    "/docs/", "/play/", "/play/xr3.wasm", "/docs/tutorial/0-in-a-page.html"))
-
-
-def run(*command, cwd=ROOT, timeout=3000, **options):
-    """Runs a command; a failure raises, with its output."""
-    done = subprocess.run([str(each) for each in command], cwd=cwd, timeout=timeout, check=False, text=True,
-                          stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, **options)
-    if done.returncode:
-        raise AssertionError(f"exit code {done.returncode}: {command}\n{done.stdout[-4000:]}")
-    return done.stdout
-
-
-def hashes(folder):
-    return {path.name: hashlib.sha256(path.read_bytes()).hexdigest() for path in sorted(pathlib.Path(folder).iterdir())}
-
-
-def clone(folder, version=None, source=ROOT):
-    """A clone of the last commit; with a version, that version is released there."""
-    shutil.rmtree(folder, ignore_errors=True)
-    run("git", "clone", "--quiet", source, folder)
-    if version:
-        prepare_release(pathlib.Path(folder), version)
-    return folder
 
 
 def replace_once(path, pattern, text):
@@ -86,6 +46,13 @@ def prepare_release(folder, version):
     git(folder, "commit", "--quiet", "--all", "--message", f"Release {version}")
 
 
+def clone_of_release(folder):
+    """A clone of the last commit, in which the next version is released."""
+    folder = clone(folder)
+    prepare_release(folder, NEXT)
+    return folder
+
+
 def git(folder, *arguments):
     return run("git", "-C", folder, "-c", "user.name=A test", "-c", "user.email=test@localhost", *arguments)
 
@@ -94,39 +61,13 @@ def debian_package(folder):
     return next(path for path in folder.iterdir() if path.name.endswith("_amd64.deb"))
 
 
-def setUpModule():
-    if os.geteuid() != 0:
-        raise unittest.SkipTest("root file systems need root: sudo ./test --packages")
-    WORK.mkdir(parents=True, exist_ok=True)
-
-
-@functools.cache
-def packages_of_the_last_commit():
-    """The folder of the packages, which are built once."""
-    checkout = clone(WORK / "first")
-    run("scripts/playground", cwd=checkout)
-    run("scripts/package", cwd=checkout)
-    return checkout / "build" / "packages"
-
-
-class Built(unittest.TestCase):
-    """Tests of the packages of the last commit."""
-
-    @classmethod
-    def setUpClass(cls):
-        cls.packages = packages_of_the_last_commit()
-
-    def setUp(self):
-        self.folder = self.enterContext(tempfile.TemporaryDirectory(dir=WORK))
-
-
 class Reproducible(Built):
     def test_another_place_time_zone_and_mask_give_the_same_bytes(self):
         other = clone(WORK / "another place" / "with a longer name", source=WORK / "first")
         run("/bin/sh", "-c", "umask 077; scripts/playground && exec scripts/package", cwd=other,
             env={**os.environ, "CCACHE_DISABLE": "1", "TZ": "Asia/Tokyo", "LC_ALL": "C"})
         self.assertEqual(hashes(self.packages), hashes(other / "build" / "packages"))
-        self.assertEqual(2, len(hashes(self.packages)))
+        self.assertEqual(4, len(hashes(self.packages)))
 
 
 class DebianPackage(Built):
@@ -135,7 +76,7 @@ class DebianPackage(Built):
         tree = tempfile.mkdtemp(dir=self.folder)
         run("dpkg-deb", "-R", debian_package(self.packages), f"{tree}/package")
         replace_once(pathlib.Path(tree, "package", "DEBIAN", "control"), r"^Version: .*$", f"Version: {NEXT}")
-        run("dpkg-deb", "--root-owner-group", "-b", f"{tree}/package", self.folder)
+        run("dpkg-deb", "--root-owner-group", "-Znone", "-b", f"{tree}/package", self.folder)
         return os.path.join(self.folder, f"xr3_{NEXT}_amd64.deb")
 
     def test_life_in_a_bare_system(self):
@@ -258,7 +199,7 @@ class PipelineRecipe(Built):
 
 class Tarball(Built):
     def test_runs_as_a_user_from_any_folder(self):
-        archive = next(path for path in self.packages.iterdir() if path.name.endswith(".tar.gz"))
+        archive = next(self.packages.glob("*-linux-*.tar.gz"))
         for suite in SUITES:
             with self.subTest(suite), tempfile.TemporaryDirectory(dir=WORK) as folder:
                 root = Root(suite, folder)
@@ -299,29 +240,32 @@ class Release(unittest.TestCase):
         for file in ("CITATION.cff", "clients/python/xr3/__init__.py", "clients/web/package.json",
                      "clients/web/package-lock.json", "docs/monitor.md", "docs/monitor-messages.md", "docs/watch.md",
                      "docs/tutorial/2-moves.md"):
-            folder = clone(WORK / "lagging", NEXT)
+            folder = clone_of_release(WORK / "lagging")
             git(folder, "checkout", "--quiet", "HEAD~", "--", file)
             git(folder, "commit", "--quiet", "--all", "--message", "Forget a file")
             self.assertIn(file, self.refused(folder, NEXT))
 
     def test_refuses_a_tag_of_another_commit(self):
-        folder = clone(WORK / "lagging", NEXT)
+        folder = clone_of_release(WORK / "lagging")
         git(folder, "tag", f"v{NEXT}", "HEAD~")
         self.assertIn("is at another commit", self.refused(folder, NEXT))
 
     def test_makes_every_file(self):
-        checkout = clone(WORK / "released", NEXT)
+        checkout = clone_of_release(WORK / "released")
         run("scripts/release", NEXT, "--no-image", cwd=checkout)
         folder = checkout / "build" / f"release-{NEXT}"
         self.assertEqual({f"xr3-{NEXT}-source.tar.gz", f"xr3-{NEXT}-page.tar.gz", f"xr3-{NEXT}.spdx.json", "SHA256SUMS",
                           f"xr3-{NEXT}-linux-x86_64.tar.gz", f"xr3-{NEXT}-linux-aarch64.tar.gz",
-                          f"xr3_{NEXT}_amd64.deb", f"xr3_{NEXT}_arm64.deb"}, set(os.listdir(folder)))
+                          f"xr3_{NEXT}_amd64.deb", f"xr3_{NEXT}_arm64.deb", f"xr3-{NEXT}.tar.gz",
+                          f"xr3-{NEXT}-py3-none-manylinux_2_36_x86_64.whl",
+                          f"xr3-{NEXT}-py3-none-manylinux_2_36_aarch64.whl"}, set(os.listdir(folder)))
         run("sha256sum", "--check", "--strict", "SHA256SUMS", cwd=folder)
         self.check_components(folder / f"xr3-{NEXT}.spdx.json")
         self.check_source(folder / f"xr3-{NEXT}-source.tar.gz", git(checkout, "rev-parse", "HEAD").strip())
         with tarfile.open(folder / f"xr3-{NEXT}-page.tar.gz") as page:
             self.assertIn(f"xr3-{NEXT}-page/index.html", page.getnames())
         self.check_arm64(checkout, folder / f"xr3_{NEXT}_arm64.deb")
+        self.check_wheel_of_arm64(folder / f"xr3-{NEXT}-py3-none-manylinux_2_36_aarch64.whl")
 
     def check_components(self, path):
         document = json.loads(path.read_text(encoding="utf-8"))
@@ -352,6 +296,12 @@ class Release(unittest.TestCase):
             data = {**os.environ, "XR3_DATA": f"{tree}/usr/share/xr3"}
             ours = run(checkout / "build" / "package" / "xr3", "kin", "--counts", "100,-50,30,20,10", env=data)
             self.assertEqual(ours, run(*program, "kin", "--counts", "100,-50,30,20,10", env=data))
+
+    def check_wheel_of_arm64(self, path):
+        with zipfile.ZipFile(path) as wheel:
+            program = wheel.read(f"xr3-{NEXT}.data/scripts/xr3")
+        arm64 = 183  # e_machine in the header of ELF
+        self.assertEqual(arm64, int.from_bytes(program[18:20], "little"))
 
 
 if __name__ == "__main__":
