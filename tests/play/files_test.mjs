@@ -196,7 +196,7 @@ test("the editor completes the names of the package, the methods of its objects,
   await page.waitForFunction(() => document.querySelector("#program-editor").shadowRoot.querySelector(".cm-completionInfo")?.innerText.includes("Starts a move by -128 to 127 counts"));
   await page.click("#program-editor .cm-tooltip-autocomplete [role=option]");
   await shows(page, "\nrobot.move");
-  assert.deepEqual(await offered("import xr3\n", "xr3.Po", "Pose"), ["Pose(x, y, z)"]);
+  assert.deepEqual(await offered("import xr3\n", "xr3.Po", "Pose"), ["Pose(x, y, z, yaw=0.0)"]);
   assert.ok((await offered("with xr3.Robot(port=9600) as arm:\n", "arm.", "pick")).includes("place(pose)"));
   assert.deepEqual(await offered("seen = robot.look()\n", "seen.pat", "patches"), ["patches()"]);
   await offered("import xr3\n", "prin", "print");

@@ -32,7 +32,7 @@ test("a program moves the server's robot by a line of its own, which others see,
   assert.equal((await server.state()).joints.find(({ label }) => label === "F").count, 20);
   const asked = await run("import time, xr3\nwith xr3.connect() as robot:\n    robot.ask('E?')\n    begun = time.perf_counter()\n"
     + "    for _ in range(200):\n        robot.ask('E?')\n    print((time.perf_counter() - begun) / 200 * 1000)\n    with xr3.Monitor() as monitor:\n        print([line['kind'] for line in monitor.call('lines')['lines']])");
-  const [roundTrip, kinds] = asked.output.split("\n");
+  const [, roundTrip, kinds] = asked.output.split("\n"); // first, that the arm is not at home
   assert.ok(Number(roundTrip) < 5 * kRoundTripMs, asked.output);
   assert.equal(kinds, "['tcp']");
   await page.waitForFunction(async () => (await window.xr3.call("lines")).lines.every(({ kind }) => kind !== "tcp"));
@@ -49,10 +49,19 @@ test("faults of lines act on it; an endless loop is stopped; Reset and run begin
   assert.equal((await end()).state, "Stopped");
   await page.evaluate(() => window.xr3.program.store.setText("import xr3\nrobot = xr3.connect()\nrobot.go({'F': 20})"));
   await page.click("#program-anew");
-  assert.equal((await end()).state, "Ended");
+  const again = await end();
+  assert.equal(again.state, "Ended", again.output);
   await page.click("#examples-button");
   assert.match(await page.textContent("#examples-menu"), /Short programs/);
   assert.doesNotMatch(await page.textContent("#examples-menu"), /Exercises/);
+}));
+
+test("if a file of Python does not come, it is asked for again", () => withProgram([], async ({ page, run }) => {
+  let asked = 0;
+  await page.context().route("**/pyodide.asm.mjs", (route) => (++asked === 1 ? route.abort() : route.continue()));
+  assert.deepEqual(await run("print('runs')"), { state: "Ended", output: "runs" });
+  assert.equal(asked, 2);
+  page.errors.splice(0);
 }));
 
 test("with a token, the lines and the monitor of a program have that of the page", async () => {

@@ -62,7 +62,8 @@ test("without JSPI, from the second load on, a program's worker takes the messag
   await page.keyboard.press("Enter");
   assert.match((await end()).output, /Your name\? Ada\nHello Ada/);
   const asked = await run("import xr3\nwith xr3.Robot() as robot:\n    for i in range(300):\n        robot.ask('E?')\nprint('asked')");
-  assert.deepEqual(asked, { state: "Ended", output: "asked" });
+  assert.equal(asked.state, "Ended");
+  assert.match(asked.output, /^asked$/m);
 }));
 
 test("without JSPI, at the first load, the controls of the robot are locked while a program runs, and say why", async () => withProgramAt(await oldUrl(), async (page, { start, end, run }) => {

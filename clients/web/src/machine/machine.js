@@ -1,6 +1,7 @@
 // @ts-check
 // The page's side of a robot without a server: begins the worker in which the robot lives, carries the messages of its monitor as a
 // WebSocket does (lib/connection.js), and runs programs.
+import { Attempts } from "./attempts.js";
 import { numberOf, textOf } from "./start_worker.js";
 import { Workers } from "./workers.js";
 
@@ -23,6 +24,7 @@ export class Machine {
   recording = "";
   tick = 0;
   isRunning = false; // a program
+  attempts = new Attempts();
   isOpened = false; // a recording, after the start
   /** @type {{resolve: (text: string) => void, reject: (error: Error) => void}[]} */
   waiting = []; // for the results of copies, which come in the order of the questions
@@ -149,6 +151,8 @@ export class Machine {
 
   /** @param {Program} program */
   run(program) {
+    this.program = program;
+    this.attempts.begin();
     this.isRunning = true;
     this.worker?.post({ run: program });
   }
@@ -184,6 +188,7 @@ export class Machine {
     this.listener?.python(state, loaded);
   }
   #started() {
+    this.attempts.end();
     this.workers.prepare();
     this.watching ??= setInterval(() => this.#setSilent(performance.now() - this.heardAt > kSilentMs), kSilentMs / 2);
   }
@@ -198,10 +203,11 @@ export class Machine {
     this.#over();
     this.listener?.ended(end);
   }
-  /** Python could not be loaded, or has failed: the next run gets a worker that can load it. @param {string} why */
+  /** Python could not be loaded, or has failed: another worker tries, or runs the next program. @param {string} why */
   #refused(why) {
-    this.#over();
     this.#replaceWorker();
+    if (!this.stopping && this.attempts.again()) return this.worker.post({ run: this.program });
+    this.#over();
     this.listener?.refused(why);
   }
   #over() {
