@@ -93,7 +93,9 @@ void add_transfer(std::string_view row, Talks& talks) {
   }
 }
 
-bool is_in_rows(std::string_view text) { return text.empty() || text.ends_with('\n'); }
+[[maybe_unused]] bool is_in_rows(std::string_view text) {
+  return text.empty() || text.ends_with('\n');
+}
 
 Talks talks_of(std::string_view text) {
   Talks talks;
