@@ -12,7 +12,7 @@ CONTAINER = json.loads(pathlib.Path(ROOT, ".devcontainer/devcontainer.json").rea
 
 class Container(unittest.TestCase):
     def test_ports_are_those_of_the_program(self):
-        ports = re.findall(r"--(?:robot|monitor)-port PORT=(\d+)", run_xr3("serve", "--help").stdout)
+        ports = re.findall(r"--(?:robot|monitor)-port PORT\W+(\d+)", run_xr3("serve", "--help").stdout)
         self.assertEqual(2, len(ports))
         self.assertEqual(list(map(int, ports)), CONTAINER["forwardPorts"])
         self.assertEqual(set(ports), set(CONTAINER["portsAttributes"]))
