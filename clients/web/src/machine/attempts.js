@@ -1,9 +1,9 @@
 // @ts-check
-// Attempts to load Python. A browser opens connections ahead, and the monitor port greets one that is silent for three seconds. A
-// request on such a connection fails at once, and the next one does not.
+// Attempts to load Python. A browser opens connections ahead, and the monitor port greets a client that sends nothing for three
+// seconds. A request on such a connection fails at once; the next request gets another connection.
 
 const kMost = 3;
-const kSoonMs = 5000; // what fails later has another reason
+const kSoonMs = 5000; // a later failure has another reason, such as a server that does not answer
 
 export class Attempts {
   #left = 0;
@@ -14,7 +14,7 @@ export class Attempts {
     this.#left = kMost;
     this.#begunAt = performance.now();
   }
-  /** Python is there: what fails now is no matter of loading. */
+  /** Python is loaded: a later failure is one of the program. */
   end() {
     this.#left = 0;
   }

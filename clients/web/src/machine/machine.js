@@ -36,7 +36,7 @@ export class Machine {
   /** @type {(isBlocked: boolean) => void} */
   onBlocked = () => {}; // called when messages of the page no longer reach the robot, and when they do again
   /** @type {(tick: number | null) => void} */
-  onSilent = () => {}; // called with the time that stands while a program makes no call, and with null when it does again
+  onSilent = () => {}; // called with the tick at which time stands, when a program has made no call for a second; with null at its next call
   isSilent = false;
   heardAt = 0; // ms
   /** @type {ReturnType<typeof setInterval> | null} */
