@@ -185,7 +185,7 @@ class Docs(unittest.TestCase):
     def check_report(self, submissions, folder):
         """The report has a page, and a row for each submission, one of which meets all goals."""
         names = sorted(path.name for path in submissions.iterdir())
-        with open(folder / "grades.csv", encoding="utf-8") as file:
+        with open(folder / "grades.csv", encoding="utf-8-sig") as file:
             rows = list(csv.DictReader(file))
         self.assertEqual(names, sorted(row["submission"] for row in rows))
         self.assertEqual(1, sum(row["points"] == row["max_points"] for row in rows), rows)
