@@ -221,9 +221,19 @@ class Grading {
 
   RunReport run(std::size_t index, std::size_t run) const {
     const fs::path& its = submissions_[index];
-    return exercise_.run({name_of(index), command_for(its, exec_.command), its,
-                          run_folder(draft_of(index), run), "", number_of(run), why_refused(its),
+    std::string refused = why_refused(its);
+    std::optional<fs::path> main = its;
+    if (refused.empty()) main = main_of(its, options_.main);
+    if (!main) refused = no_main(name_of(index));
+    return exercise_.run({name_of(index), command_for(main.value_or(its), exec_.command), its,
+                          run_folder(draft_of(index), run), "", number_of(run), refused,
                           index * runs_ + run});
+  }
+
+  std::string no_main(const std::string& name) const {
+    const std::string extension = fs::path(options_.main).extension().string();
+    return name + " has no file " + options_.main + ", and not exactly one other " +
+           (extension.empty() ? "file without an extension" : extension + " file");
   }
 
   /// Gives a complete folder its name, and says how many there are.

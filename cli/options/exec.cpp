@@ -160,6 +160,8 @@ void add_grade(CLI::App& app, GradeOptions& options, ExecOptions& exec, ServeOpt
   add_repeat(
       grade, exec,
       "number of runs of each, of which the worst counts; with --vary each has the next seed");
+  add_value(grade, "--main", options.main, "FILE",
+            "in a submission that is a folder {} is this file, or the only one with its extension");
   add_value(grade, "--report", options.report, "FOLDER", "new folder for the report")->required();
   grade.add_flag("--only-missing", options.has_only_missing,
                  "continue a report: run only the submissions that have no result in it");

@@ -572,6 +572,27 @@ for folder in "/tmp", "/dev/shm", ".":
             grades = [(row["Identifier"], row["Full name"], row["Grade"], row["Maximum Grade"]) for row in csv.DictReader(file)]
         self.assertEqual([("Participant 11", "Ada King", "8", "8"), ("Participant 12", "Bob", "8", "8")], grades)
 
+    def test_the_main_file_of_a_folder(self):
+        self.write("class/ada/main.py", "import robot\n")
+        self.write("class/ada/robot.py", PLACE)
+        self.write("class/bob/pick.py", PLACE)
+        self.write("class/carl.py", PLACE)
+        self.write("class/dora/notes.txt", "")
+        printed = self.grade("class", "--main", "main.py").stdout
+        for name in "ada", "bob", "carl.py":
+            self.assertRegex(printed, rf"(?m)^{name} +8/8 ")
+        self.assertRegex(printed, r"(?m)^dora +0/8  dora has no file main\.py, and not exactly one other \.py file$")
+
+    def test_a_script_may_compile_a_submission(self):
+        self.write("class/ada.c", "int main(void) { return 0; }\n")
+        self.write("class/bob.c", "int main(void) { return nothing; }\n")
+        script = self.write("compile_and_run.sh", 'cc -o /tmp/program-$$ "$1" -lm && exec /tmp/program-$$\n')
+        read = ["--read", script] if HAS_SANDBOX else []
+        printed = self.grade("class", *read, command=["sh", script, "{}"]).stdout
+        self.assertRegex(printed, r"(?m)^ada\.c  0/8  nothing reached this run's robot")
+        self.assertIn("bob.c  0/8  the program ended with exit code 1", printed)
+        self.assertIn("nothing", (self.folder / "report/bob.c/output.txt").read_text(encoding="utf-8"))
+
     def test_grade_says_what_is_missing(self):
         self.assertIn("the command has no {}", self.grade(".", command=["python3"], code=2).stderr)
         self.write("class/grades.csv", "")
