@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <iomanip>
 #include <set>
 #include <utility>
 
@@ -9,21 +8,12 @@
 #include "cli/exec/hide.hpp"
 #include "cli/exec/kept_transcripts.hpp"
 #include "cli/exec/pool.hpp"
-#include "protocol/text/text_stream.hpp"
 #include "server/files/atomic_write.hpp"
 #include "server/log.hpp"
 #include "server/print.hpp"
 
 namespace xr3 {
 namespace {
-
-/// The folder of one of several runs: 001, 002, ...
-std::string run_name(std::size_t run) {
-  constexpr int kDigits = 3;
-  TextStream name;
-  name << std::setw(kDigits) << std::setfill('0') << run;
-  return name.str();
-}
 
 std::string program_title(const std::vector<std::string>& command) {
   std::string title;
@@ -48,7 +38,7 @@ std::vector<RunReport> run_all(const ExecCommand& command, const Exercise& exerc
     its.transcripts = &kept;
     its.run = index + 1;
     its.job = index;
-    if (!its.folder.empty()) its.folder += "/" + run_name(its.run);
+    if (!its.folder.empty()) its.folder += "/" + folder_of_run(its.run);
     return to_json(exercise.run(its));
   };
   std::vector<RunReport> reports;

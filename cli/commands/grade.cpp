@@ -30,6 +30,7 @@ namespace fs = std::filesystem;
 constexpr const char* kPage = "index.html";
 constexpr const char* kTable = "grades.csv";
 constexpr const char* kJunit = "junit.xml";
+constexpr const char* kMoodle = "moodle.csv";  // only if there are submissions of Moodle
 
 constexpr std::array kReportFiles{kPage, kTable, kJunit};
 
@@ -79,7 +80,7 @@ void require_place(const std::vector<std::string>& command) {
 
 void require_free_names(const std::vector<fs::path>& submissions) {
   for (const fs::path& each : submissions)
-    for (const char* file : kReportFiles)
+    for (const char* file : {kPage, kTable, kJunit, kMoodle})
       if (each.filename() == file)
         throw FileError(each.string() +
                         ": a file of the report has this name; rename it, or move it " +
@@ -96,16 +97,15 @@ void make_report_folder(const std::string& path, bool may_exist) {
   if (error) throw FileError(path + ": cannot be made: " + error.message());
 }
 
-/// The result of an earlier run in its folder; nullopt if there is no such folder.
-std::optional<RunReport> result_in(const std::string& folder) {
-  std::error_code error;
-  if (!fs::exists(folder, error)) return std::nullopt;
+/// The result of an earlier run in its folder. Throws FileError if there is none.
+RunReport result_in(const std::string& folder, const std::string& submission) {
   const std::string path = folder + "/" + kResultFile;
   try {
     return parse_report(read_file(path).text);
   } catch (const std::exception&) {
-    throw FileError(path + ": there is no result of this version of xr3; remove the folder " +
-                    folder + ", and its submission is run again");
+    throw FileError(path +
+                    ": there is no result of this version of xr3 and this --repeat; remove " +
+                    "the folder " + submission + ", and its submission is run again");
   }
 }
 
@@ -116,14 +116,16 @@ RunReport not_run_report() {
   return report;
 }
 
-void print_table(const std::vector<RunReport>& reports) {
-  const auto title = [](const RunReport& report) { return printable_line(report.program); };
+void print_table(const std::vector<Submission>& submissions) {
+  const auto title = [](const Submission& each) { return printable_line(each.name()); };
   std::size_t width = 0;
-  for (const RunReport& each : reports) width = std::max(width, title(each).size());
+  for (const Submission& each : submissions) width = std::max(width, title(each).size());
   TextStream table;
-  for (const RunReport& each : reports)
+  for (const Submission& each : submissions) {
+    const RunReport& run = each.counted();
     table << std::left << std::setw(static_cast<int>(width)) << title(each) << "  "
-          << points_of(each.goals) << "/" << max_points_of(each.goals) << "  " << each.why << "\n";
+          << points_of(run.goals) << "/" << max_points_of(run.goals) << "  " << run.why << "\n";
+  }
   print_text(table.str());
 }
 
@@ -134,27 +136,27 @@ class Grading {
         exec_(command.exec),
         submissions_(submissions_in(options_.folder)),
         exercise_(quiet(command.exec), command.server),
+        runs_(static_cast<std::size_t>(command.exec.repeat)),
         reports_(submissions_.size()) {
     require_free_names(submissions_);
     make_report_folder(options_.report, options_.has_only_missing);
     for (std::size_t i = 0; i < submissions_.size(); ++i) {
-      if (options_.has_only_missing) reports_[i] = result_in(file(name_of(i)));
-      if (!reports_[i]) missing_.push_back(i);
+      if (options_.has_only_missing) reports_[i] = results_of(i);
+      if (reports_[i].empty()) missing_.push_back(i);
     }
   }
 
   ExitCode result() {
     run_missing();
-    std::vector<RunReport> reports;
+    ClassReport report{exercise_.title(), {}};
     for (std::size_t i = 0; i < reports_.size(); ++i) {
-      reports.push_back(std::move(*reports_[i]));
       // The bytes of the name, which lead to the submission's files.
-      reports.back().program = name_of(i);
+      for (RunReport& each : reports_[i]) each.program = name_of(i);
+      report.submissions.push_back({std::move(reports_[i])});
     }
-    write_file(file(kPage), to_html(reports));
-    write_file(file(kTable), to_csv(reports));
-    write_file(file(kJunit), to_junit(reports));
-    print_table(reports);
+    mark_twins(report.submissions);
+    write(report);
+    print_table(report.submissions);
     return has_all_ ? ExitCode::kGood : ExitCode::kInternal;
   }
 
@@ -166,53 +168,106 @@ class Grading {
 
   std::string file(const std::string& name) const { return options_.report + "/" + name; }
   std::string name_of(std::size_t index) const { return submissions_[index].filename().string(); }
-  /// The folder of a run until it is complete. No submission has such a name.
+  /// The folder of a submission until all its runs are complete. No submission has such a name.
   std::string draft_of(std::size_t index) const { return file("." + name_of(index)); }
+  /// The number of a run among several of a submission, from an index; 0 if there is one.
+  std::size_t number_of(std::size_t run) const { return runs_ > 1 ? run + 1 : 0; }
+  /// The folder of a run in that of its submission.
+  std::string run_folder(const std::string& folder, std::size_t run) const {
+    return runs_ > 1 ? folder + "/" + folder_of_run(number_of(run)) : folder;
+  }
 
-  /// Runs the submissions without a result. SIGINT and SIGTERM end the runs in progress; the report
-  /// has the others.
+  /// The results of earlier runs of a submission; empty if it has no folder.
+  std::vector<RunReport> results_of(std::size_t index) const {
+    std::error_code error;
+    const std::string folder = file(name_of(index));
+    std::vector<RunReport> results;
+    if (!fs::exists(folder, error)) return results;
+    for (std::size_t run = 0; run < runs_; ++run)
+      results.push_back(result_in(run_folder(folder, run), folder));
+    return results;
+  }
+
+  /// Runs the submissions without a result, each run in a process of its own. SIGINT and SIGTERM
+  /// end the runs in progress; the report has the others.
   void run_missing() {
     StopSignals stop;
     const std::size_t jobs = options_.jobs > 0 ? options_.jobs : usual_jobs();
-    std::vector<bool> is_run(missing_.size());
-    const auto note = [&](std::size_t i) {
-      is_run[i] = true;
-      take(missing_[i]);
-      print_error(std::to_string(std::ranges::count(is_run, true)) + " of " +
-                  std::to_string(missing_.size()) + ": " + printable_line(name_of(missing_[i])) +
-                  "\n");
+    // A draft remains if a judge was killed.
+    for (const std::size_t each : missing_) fs::remove_all(draft_of(each));
+    std::vector<std::size_t> left(missing_.size(), runs_);
+    const auto note = [&](std::size_t task) {
+      if (--left[task / runs_] == 0) take(missing_[task / runs_], std::ranges::count(left, 0U));
     };
     const auto texts = in_processes(
-        missing_.size(), jobs, exercise_.run_limit(),
-        [this](std::size_t i) { return to_json(run(missing_[i])); }, note, &stop);
-    for (std::size_t i = 0; i < texts.size(); ++i) {
-      reports_[missing_[i]] =
-          is_run[i] ? report_of(texts[i], name_of(missing_[i])) : not_run_report();
-      has_all_ = has_all_ && texts[i];
-      if (!is_run[i]) fs::remove_all(draft_of(missing_[i]));
+        missing_.size() * runs_, jobs, exercise_.run_limit(),
+        [this](std::size_t task) { return to_json(run(missing_[task / runs_], task % runs_)); },
+        note, &stop);
+    for (std::size_t i = 0; i < missing_.size(); ++i) {
+      const bool is_run = left[i] == 0;
+      for (std::size_t run = 0; run < runs_; ++run)
+        add(missing_[i], run, texts[i * runs_ + run], is_run);
+      if (!is_run) fs::remove_all(draft_of(missing_[i]));
     }
   }
 
-  RunReport run(std::size_t index) const {
-    const fs::path& its = submissions_[index];
-    fs::remove_all(draft_of(index));  // a draft remains if a judge was killed
-    return exercise_.run({name_of(index), command_for(its, exec_.command), its, draft_of(index), "",
-                          0, why_refused(its), index});
+  /// Adds the report of a run; of a submission whose runs were not completed only that.
+  void add(std::size_t index, std::size_t run, const std::optional<std::string>& text,
+           bool is_run) {
+    reports_[index].push_back(is_run ? report_of(text, name_of(index), number_of(run))
+                                     : not_run_report());
+    has_all_ = has_all_ && is_run && text;
   }
 
-  /// Gives a complete folder its name.
-  void take(std::size_t index) const {
+  RunReport run(std::size_t index, std::size_t run) const {
+    const fs::path& its = submissions_[index];
+    std::string refused = why_refused(its);
+    std::optional<fs::path> main = its;
+    if (refused.empty()) main = main_of(its, options_.main);
+    if (!main) refused = no_main(name_of(index));
+    return exercise_.run({name_of(index), command_for(main.value_or(its), exec_.command), its,
+                          run_folder(draft_of(index), run), "", number_of(run), refused,
+                          index * runs_ + run});
+  }
+
+  std::string no_main(const std::string& name) const {
+    const std::string extension = fs::path(options_.main).extension().string();
+    return name + " has no file " + options_.main + ", and not exactly one other " +
+           (extension.empty() ? "file without an extension" : extension + " file");
+  }
+
+  /// Gives a complete folder its name, and says how many there are.
+  void take(std::size_t index, std::ptrdiff_t count) const {
     std::error_code failed;
-    if (fs::exists(draft_of(index) + "/" + kResultFile, failed))
-      fs::rename(draft_of(index), file(name_of(index)), failed);
+    if (is_complete(index)) fs::rename(draft_of(index), file(name_of(index)), failed);
+    print_error(std::to_string(count) + " of " + std::to_string(missing_.size()) + ": " +
+                printable_line(name_of(index)) + "\n");
+  }
+
+  bool is_complete(std::size_t index) const {
+    std::error_code failed;
+    for (std::size_t run = 0; run < runs_; ++run)
+      if (!fs::exists(run_folder(draft_of(index), run) + "/" + kResultFile, failed)) return false;
+    return true;
+  }
+
+  void write(const ClassReport& report) const {
+    std::vector<RunReport> counted;
+    for (const Submission& each : report.submissions) counted.push_back(each.counted());
+    write_file(file(kPage), to_html(report));
+    write_file(file(kTable), to_csv(report));
+    write_file(file(kJunit), to_junit(counted));
+    const std::string moodle = to_moodle(report);
+    if (!moodle.empty()) write_file(file(kMoodle), moodle);
   }
 
   const GradeOptions& options_;
   const ExecOptions& exec_;
   std::vector<fs::path> submissions_;
   Exercise exercise_;
-  std::vector<std::optional<RunReport>> reports_;  ///< one for each submission
-  std::vector<std::size_t> missing_;               ///< indices of the submissions that are run
+  std::size_t runs_;                             ///< number of each submission
+  std::vector<std::vector<RunReport>> reports_;  ///< reports of the runs of each submission
+  std::vector<std::size_t> missing_;             ///< indices of the submissions that are run
   bool has_all_ = true;
 };
 

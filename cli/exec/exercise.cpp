@@ -57,7 +57,8 @@ Exercise::Sources::Sources(ExecOptions exec_options, ServeOptions server_options
 }
 
 Exercise::Exercise(const Sources& sources)
-    : options_(sources.exec),
+    : title_(sources.folder ? sources.folder->file().title : ""),
+      options_(sources.exec),
       server_(sources.server),
       seed_(load_seed(server_, server_.robot, server_.workcell)),
       goals_(load_goal_list(options_.goals, *seed_.model)) {

@@ -45,6 +45,8 @@ class Exercise {
   /// block.
   RunReport run(const RunPlace& place) const;
 
+  /// The title of the exercise that the options name; empty if they name none.
+  const std::string& title() const { return title_; }
   Profile profile() const { return seed_.model->profile(); }
 
   /// Whether each run has its own places of the blocks.
@@ -66,6 +68,7 @@ class Exercise {
   std::optional<Variation> variation_of(std::size_t run) const;
   CellSeed seed_of(std::size_t run) const;
 
+  std::string title_;
   ExecOptions options_;
   ServeOptions server_;
   CellSeed seed_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <system_error>
+#include <vector>
 
 namespace xr3 {
 namespace {
@@ -33,6 +34,17 @@ std::string why_refused(const fs::path& submission) try {
   return "";
 } catch (const fs::filesystem_error& error) {
   return error.path1().string() + ": cannot be read: " + error.code().message();
+}
+
+std::optional<fs::path> main_of(const fs::path& submission, const std::string& main) {
+  if (main.empty() || !fs::is_directory(submission)) return submission;
+  if (fs::is_regular_file(submission / main)) return submission / main;
+  std::vector<fs::path> alike;
+  for (const fs::directory_entry& each : fs::directory_iterator(submission))
+    if (each.is_regular_file() && each.path().extension() == fs::path(main).extension())
+      alike.push_back(each.path());
+  if (alike.size() != 1) return std::nullopt;
+  return alike.front();
 }
 
 }  // namespace xr3

@@ -75,6 +75,12 @@ void add_run(CLI::App& command, ExecOptions& options, ServeOptions& server) {
       ->check(CLI::IsMember({"read", "control"}).description(""));
 }
 
+void add_repeat(CLI::App& command, ExecOptions& options, const std::string& help) {
+  add_value(command, "--repeat", options.repeat, "N", help)
+      ->check(whole_number_between(1, kMaxRepeat))
+      ->capture_default_str();
+}
+
 void add_user(CLI::App& command, ExecOptions& options) {
   add_value(
       command, "--run-as", options.run_as, "USER",
@@ -116,10 +122,8 @@ void add_exec(CLI::App& app, ExecOptions& options, ServeOptions& server) {
   CLI::App& exec = *app.add_subcommand(
       "exec", "run a robot program against a fresh robot, and judge it by its goals");
   add_run(exec, options, server);
-  add_value(exec, "--repeat", options.repeat, "N",
-            "number of runs; with --vary each has the next seed, without it all must be equal")
-      ->check(whole_number_between(1, kMaxRepeat))
-      ->capture_default_str();
+  add_repeat(exec, options,
+             "number of runs; with --vary each has the next seed, without it all must be equal");
   add_value(exec, "--record", server.record, "FILE", "record the run in this new file");
   add_value(exec, "--csv", options.csv, "OUT.csv",
             "write joints, counts and tip each 100 ms as a table");
@@ -153,6 +157,11 @@ void add_grade(CLI::App& app, GradeOptions& options, ExecOptions& exec, ServeOpt
     if (exec.goals.empty() && exec.exercise.empty())
       throw CLI::ValidationError("xr3 grade needs --goals or --exercise");
   });
+  add_repeat(
+      grade, exec,
+      "number of runs of each, of which the worst counts; with --vary each has the next seed");
+  add_value(grade, "--main", options.main, "FILE",
+            "in a submission that is a folder {} is this file, or the only one with its extension");
   add_value(grade, "--report", options.report, "FOLDER", "new folder for the report")->required();
   grade.add_flag("--only-missing", options.has_only_missing,
                  "continue a report: run only the submissions that have no result in it");

@@ -136,7 +136,7 @@ class Costs(unittest.TestCase):
         seconds, _ = self.timed(*GRADE, path.parent, "--exercise", exercise.name, "--report", report, "--",
                                 sys.executable, "{}")
         print(f"\n{STUDENTS} submissions graded: {seconds:.1f} s (bound: {MOST_CLASS_S})")
-        with open(report / "grades.csv", encoding="utf-8") as file:
+        with open(report / "grades.csv", encoding="utf-8-sig") as file:
             rows = list(csv.DictReader(file))
         passed = [row for row in rows if row["points"] == row["max_points"]]
         self.assertEqual((STUDENTS, STUDENTS * 3 // 4), (len(rows), len(passed)))

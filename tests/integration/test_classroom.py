@@ -35,7 +35,7 @@ class Classroom(unittest.TestCase):
             text = re.sub(r"^   ", "", PAGE.read_text(encoding="utf-8"), flags=re.MULTILINE)  # including fences of list items
             play(Teacher(self, pathlib.Path(folder)), text)
             self.assertIn("<svg", pathlib.Path(folder, "end.svg").read_text(encoding="utf-8"))
-            grades = pathlib.Path(folder, "report", "grades.csv").read_text(encoding="utf-8").splitlines()
+            grades = pathlib.Path(folder, "report", "grades.csv").read_text(encoding="utf-8-sig").splitlines()
             self.assertEqual(len(list(pathlib.Path(folder, "submissions").iterdir())), len(grades) - 1)
 
     def test_the_reset_is_that_of_the_server_of_the_port_file(self):

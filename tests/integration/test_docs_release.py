@@ -23,6 +23,7 @@ XR3_COMMAND = re.compile(r"(?:\$ )?((?:XR3_\w+=\S+ )*)(?:build/release/)?xr3 (.+
 CLIENT_COMMAND = re.compile(r"(?:\$ )?(?:nc|curl|printf|echo) .*localhost")
 # The commands in fences that other tests run: the file and the beginning of the line, and the test.
 ELSEWHERE = {
+    "exec.md: cc ": "test_exec.py",
     "frameworks.md: cmake ": "test_frameworks.py",
     "frameworks.md: cp ": "test_frameworks.py",
     "frameworks.md: ctest ": "test_frameworks.py",
@@ -185,7 +186,7 @@ class Docs(unittest.TestCase):
     def check_report(self, submissions, folder):
         """The report has a page, and a row for each submission, one of which meets all goals."""
         names = sorted(path.name for path in submissions.iterdir())
-        with open(folder / "grades.csv", encoding="utf-8") as file:
+        with open(folder / "grades.csv", encoding="utf-8-sig") as file:
             rows = list(csv.DictReader(file))
         self.assertEqual(names, sorted(row["submission"] for row in rows))
         self.assertEqual(1, sum(row["points"] == row["max_points"] for row in rows), rows)

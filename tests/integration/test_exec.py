@@ -73,7 +73,7 @@ class Exec(unittest.TestCase):
 
     def write(self, name, text):
         path = self.folder / name
-        path.parent.mkdir(exist_ok=True)
+        path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text, encoding="utf-8")
         return path
 
@@ -470,7 +470,7 @@ for folder in "/tmp", "/dev/shm", ".":
         for name, program in programs.items():
             self.write(f"class/{name}", program)
         self.grade("class", "--max-seconds", "3")
-        with open(self.folder / "report/grades.csv", encoding="utf-8") as file:
+        with open(self.folder / "report/grades.csv", encoding="utf-8-sig") as file:
             rows = {row["submission"]: row for row in csv.DictReader(file)}
         self.assertEqual({"ada.py": "8", "bob.py": "0", "carl <b>.py": "0", "'=dora.py": "0"},
                          {name: row["points"] for name, row in rows.items()})
@@ -499,7 +499,7 @@ for folder in "/tmp", "/dev/shm", ".":
         return self.rows()
 
     def rows(self):
-        with open(self.folder / "report/grades.csv", encoding="utf-8") as file:
+        with open(self.folder / "report/grades.csv", encoding="utf-8-sig") as file:
             return {row["submission"]: (row["points"], row["outcome"]) for row in csv.DictReader(file)}
 
     def test_after_an_interrupt_the_report_has_what_is_finished(self):
@@ -536,6 +536,62 @@ for folder in "/tmp", "/dev/shm", ".":
         for report in "class/report", "class/report 2":
             done = self.grade("class", "--report", report)
             self.assertEqual(["ada.py", "ben"], [line.split()[0] for line in done.stdout.splitlines()])
+
+    def test_of_several_runs_the_worst_counts(self):
+        self.write("class/ada.py", PLACE)
+        self.write("class/bob.py", PLACE + f"with open({str(self.folder / 'count')!r}, 'a+') as count:\n    count.write('x')\n    if count.tell() == 2:\n        raise SystemExit(1)\n")
+        options = ["--repeat", "3", *([] if "--no-sandbox" in GRADE else ["--no-sandbox"])]
+        done = self.grade("class", *options, "--jobs", "1")
+        self.assertEqual(["1 of 2: ada.py", "2 of 2: bob.py"], done.stderr.splitlines())
+        self.assertEqual({"ada.py": ("8", "finished"), "bob.py": ("0", "failed")}, self.rows())
+        page = (self.folder / "report/index.html").read_text(encoding="utf-8")
+        runs = re.search(r"The worst of 3 runs counts: .*? Below is run 2\.", page)[0]
+        self.assertEqual(["8/8", "0/8", "8/8"], re.findall(r"</a> (\d/8)", runs))
+        for run in "001", "002", "003":
+            self.assertIn(f'<a href="bob.py/{run}/result.txt">', runs)
+            self.assertTrue((self.folder / "report/bob.py" / run / "recording.xr3rec").is_file())
+        self.assertEqual("", self.grade("class", *options, "--only-missing").stderr)
+        self.assertEqual({"ada.py": ("8", "finished"), "bob.py": ("0", "failed")}, self.rows())
+        self.assertIn("and this --repeat", self.grade("class", "--only-missing", code=2).stderr)
+
+    def test_with_a_variation_each_run_has_the_next_seed(self):
+        self.write("class/ada.py", HEAD + "send('E+50\\r')\nwait('E')\n")
+        self.grade("class", "--repeat", "2", "--vary", "7")
+        results = [json.loads((self.folder / "report/ada.py" / run / "result.json").read_text(encoding="utf-8")) for run in ("001", "002")]
+        self.assertEqual([(1, 7), (2, 8)], [(each["run"], each["seed"]) for each in results])
+
+    def test_equal_submissions_are_flagged_and_moodle_gets_its_worksheet(self):
+        self.write("class/Ada King_11_assignsubmission_file/main.py", PLACE)
+        self.write("class/Bob_12_assignsubmission_file/main.py", "# my own work\n" + PLACE)
+        self.write("class/carl.py", "print('hello')\n")
+        self.grade("class", command=["sh", "-c", f'if [ -d "$1" ]; then exec {sys.executable} "$1/main.py"; else exec {sys.executable} "$1"; fi', "sh", "{}"])
+        with open(self.folder / "report/grades.csv", encoding="utf-8-sig") as file:
+            rows = {row["submission"]: row["same_as"] for row in csv.DictReader(file)}
+        self.assertEqual({"Ada King_11_assignsubmission_file": "", "Bob_12_assignsubmission_file": "Ada King_11_assignsubmission_file", "carl.py": ""}, rows)
+        with open(self.folder / "report/moodle.csv", encoding="utf-8") as file:
+            grades = [(row["Identifier"], row["Full name"], row["Grade"], row["Maximum Grade"]) for row in csv.DictReader(file)]
+        self.assertEqual([("Participant 11", "Ada King", "8", "8"), ("Participant 12", "Bob", "8", "8")], grades)
+
+    def test_the_main_file_of_a_folder(self):
+        self.write("class/ada/main.py", "import robot\n")
+        self.write("class/ada/robot.py", PLACE)
+        self.write("class/bob/pick.py", PLACE)
+        self.write("class/carl.py", PLACE)
+        self.write("class/dora/notes.txt", "")
+        printed = self.grade("class", "--main", "main.py").stdout
+        for name in "ada", "bob", "carl.py":
+            self.assertRegex(printed, rf"(?m)^{name} +8/8 ")
+        self.assertRegex(printed, r"(?m)^dora +0/8  dora has no file main\.py, and not exactly one other \.py file$")
+
+    def test_a_script_may_compile_a_submission(self):
+        self.write("class/ada.c", "int main(void) { return 0; }\n")
+        self.write("class/bob.c", "int main(void) { return nothing; }\n")
+        script = self.write("compile_and_run.sh", 'cc -o /tmp/program-$$ "$1" -lm && exec /tmp/program-$$\n')
+        read = ["--read", script] if HAS_SANDBOX else []
+        printed = self.grade("class", *read, command=["sh", script, "{}"]).stdout
+        self.assertRegex(printed, r"(?m)^ada\.c  0/8  nothing reached this run's robot")
+        self.assertIn("bob.c  0/8  the program ended with exit code 1", printed)
+        self.assertIn("nothing", (self.folder / "report/bob.c/output.txt").read_text(encoding="utf-8"))
 
     def test_grade_says_what_is_missing(self):
         self.assertIn("the command has no {}", self.grade(".", command=["python3"], code=2).stderr)

@@ -81,7 +81,7 @@ class Graded(unittest.TestCase):
                                 "not so any more: write it again with test_graded_release.py --write, and read the changes")
 
     def test_every_verdict_is_right(self):
-        with open(REPORT / "grades.csv", encoding="utf-8") as file:
+        with open(REPORT / "grades.csv", encoding="utf-8-sig") as file:
             rows = {row["submission"]: row for row in csv.DictReader(file)}
         self.assertEqual(OUTCOMES, {name: row["outcome"] for name, row in rows.items()})
         table = dict(re.findall(r"^\| \[(\w+\.py)\].*\| (\d+) \|", PAGE, re.MULTILINE))

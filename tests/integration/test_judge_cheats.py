@@ -527,7 +527,7 @@ class Cheats:
             self.assertEqual(name, json.loads(self.file(name, "result.json"))["program"])
             for which in "transcript.txt", "result.txt", "result.json":
                 self.assertEqual([], re.findall(r"[\x00-\x09\x0b-\x1f\x7f-\x9f]", self.file(name, which)), (name, which))
-        with open(report / "grades.csv", encoding="utf-8") as file:
+        with open(report / "grades.csv", encoding="utf-8-sig") as file:
             table = list(csv.DictReader(file))
         self.assertEqual(names, [row["submission"] for row in table])
         self.assertEqual([each for each in names if each in EARNS], [row["submission"] for row in table if row["points"] == "10"])

@@ -151,7 +151,7 @@ class PrintedNames(unittest.TestCase):
         names = [r"Ren\xe8.py", r"Ren\xe9.py"]
         table = self.grade(*LATIN)
         self.assertEqual(names, [line.split()[0] for line in table.splitlines()])
-        with open(self.folder / "report/grades.csv", encoding="utf-8") as file:
+        with open(self.folder / "report/grades.csv", encoding="utf-8-sig") as file:
             self.assertEqual(names, [row["submission"] for row in csv.DictReader(file)])
         suites = xml.etree.ElementTree.parse(self.folder / "report/junit.xml").getroot()
         self.assertEqual(names, [suite.get("name") for suite in suites])

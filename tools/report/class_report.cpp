@@ -4,10 +4,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdio>
+#include <map>
 #include <string_view>
+#include <utility>
 
 #include "protocol/goals/goal_text.hpp"
-#include "protocol/text/printable.hpp"
 #include "tools/text/markup.hpp"
 
 namespace xr3 {
@@ -18,7 +19,6 @@ constexpr const char* kHead = R"(<!doctype html>
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width">
 <link rel="icon" href="data:,">
-<title>Robot programs: results</title>
 <style>
   :root { color-scheme: light dark; font: 16px/1.45 system-ui, sans-serif; }
   body { max-width: 66rem; margin: 2rem auto; padding: 0 1rem; overflow-wrap: anywhere; }
@@ -38,7 +38,6 @@ constexpr const char* kHead = R"(<!doctype html>
   .hint { opacity: .8; }
   @media print { section { break-inside: avoid; } }
 </style>
-<h1>Robot programs: results</h1>
 )";
 
 /// A name as a part of an address.
@@ -80,11 +79,22 @@ std::string verdict_of(const RunReport& report) {
   return std::to_string(missed) + " of " + std::to_string(report.goals.size()) + " goals missed";
 }
 
-std::string row(const RunReport& report) {
-  const std::string name =
-      "<a href=\"#" + address(report.program) + "\">" + html(report.program) + "</a>";
-  return tag("tr", tag("td", name) + tag("td", score(report), "n") +
-                       tag("td", verdict_of(report), kind_of(report.is_passed())) +
+/// A link to the section of a submission.
+std::string section_link(const std::string& name) {
+  return "<a href=\"#" + address(name) + "\">" + html(name) + "</a>";
+}
+
+std::string twin_of(const Submission& submission) {
+  if (submission.twin.empty()) return "";
+  return "same bytes at the same simulated times as " + section_link(submission.twin);
+}
+
+std::string row(const Submission& submission) {
+  const RunReport& report = submission.counted();
+  const std::string twin = twin_of(submission);
+  return tag("tr", tag("td", section_link(submission.name())) + tag("td", score(report), "n") +
+                       tag("td", tag("span", verdict_of(report), kind_of(report.is_passed())) +
+                                     (twin.empty() ? "" : "<br>" + tag("span", twin, "hint"))) +
                        tag("td", seconds_text(report.ticks), "n") +
                        tag("td", std::to_string(report.bytes), "n")) +
          "\n";
@@ -97,7 +107,7 @@ std::string table(const char* id, const std::string& head, const std::string& ro
 }
 
 /// One sentence about the class. The mean is rounded to a tenth of a point.
-std::string class_summary(const std::vector<RunReport>& reports) {
+std::string class_summary(const std::vector<RunReport>& reports, bool has_moodle) {
   int sum = 0;
   int most = 0;
   std::size_t passed = 0;
@@ -115,7 +125,8 @@ std::string class_summary(const std::vector<RunReport>& reports) {
                       ". All goals met by " + std::to_string(passed) + ". On average " +
                       std::to_string(mean / kTenths) + "." + std::to_string(mean % kTenths) +
                       " of " + std::to_string(most) +
-                      " points. <a href=\"grades.csv\">Table for a spreadsheet</a>") +
+                      " points. <a href=\"grades.csv\">Table for a spreadsheet</a>" +
+                      (has_moodle ? ", <a href=\"moodle.csv\">for Moodle</a>" : "")) +
          "\n";
 }
 
@@ -175,15 +186,37 @@ std::string links(const std::string& folder) {
          link(folder, "result.json", "as JSON") + " · ";
 }
 
+/// The folder with the files of a run, as a part of an address.
+std::string folder_link(const RunReport& report) {
+  return address(report.program) + (report.run > 0 ? "/" + folder_of_run(report.run) : "");
+}
+
+/// The points of each run, and which one counts.
+std::string runs_text(const Submission& submission) {
+  std::string text = "The worst of " + std::to_string(submission.runs.size()) + " runs counts: ";
+  for (const RunReport& each : submission.runs) {
+    if (&each != &submission.runs.front()) text += ", ";
+    text += link(folder_link(each), "result.txt", "run " + std::to_string(each.run)) +
+            (each.seed ? " (seed " + std::to_string(*each.seed) + ")" : "") + " " + score(each);
+  }
+  return text + ". Below is run " + std::to_string(submission.counted().run) + ".";
+}
+
 /// A run that was not made has no goals and no files.
-std::string section(const RunReport& report) {
-  const std::string folder = address(report.program);
+std::string section(const Submission& submission) {
+  const RunReport& report = submission.counted();
+  const std::string id = address(submission.name());
+  const std::string folder = folder_link(report);
   const bool has_files = !report.goals.empty();
-  std::string text = "<section id=\"" + folder + "\">\n" +
+  std::string text = "<section id=\"" + id + "\">\n" +
                      tag("h2", html(report.program) + " " + score(report)) +
                      "\n<div class=\"run\">\n<div>\n";
   if (!report.why.empty()) text += tag("p", html(report.why), "missed") + "\n";
-  if (report.seed) text += tag("p", "Blocks of seed " + std::to_string(*report.seed) + ".") + "\n";
+  if (has_files && submission.runs.size() > 1) text += tag("p", runs_text(submission)) + "\n";
+  if (submission.runs.size() == 1 && report.seed)
+    text += tag("p", "Blocks of seed " + std::to_string(*report.seed) + ".") + "\n";
+  if (!submission.twin.empty())
+    text += tag("p", "It sent and received the " + twin_of(submission) + ".") + "\n";
   text += "<ul>\n";
   for (const GoalResult& each : report.goals) text += goal_item(each);
   text += "</ul>\n";
@@ -194,48 +227,44 @@ std::string section(const RunReport& report) {
          (has_files ? picture(report, folder) : "") + "</div>\n</div>\n</section>\n";
 }
 
-/// A field of a table: in quotes, and never a formula of a spreadsheet.
-std::string field(const std::string& text) {
-  const bool is_formula =
-      !text.empty() && std::string_view("=+-@").find(text[0]) != std::string_view::npos;
-  std::string result = is_formula ? "\"'" : "\"";
-  for (const char c : printable_lines(text))
-    result += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return result + "\"";
-}
-
-std::string missed_text(const RunReport& report) {
-  std::string text = report.why;
-  for (const GoalResult& each : report.goals)
-    if (!each.is_met) text += (text.empty() ? "" : "; ") + each.expected + ": " + each.found;
-  if (!report.not_counted.empty())
-    text += (text.empty() ? "" : "; ") + ("not counted: " + report.not_counted);
-  return text;
-}
-
 }  // namespace
 
-std::string to_html(const std::vector<RunReport>& reports) {
+const RunReport& Submission::counted() const {
+  return *std::ranges::min_element(runs, {}, [](const RunReport& each) {
+    return std::pair(points_of(each.goals), each.is_passed());
+  });
+}
+
+void mark_twins(std::vector<Submission>& submissions) {
+  std::map<std::vector<std::string>, std::string> names;  // by the digests of the runs
+  for (Submission& each : submissions) {
+    std::vector<std::string> digests;
+    for (const RunReport& run : each.runs)
+      digests.push_back(run.bytes > 0 ? run.transcript : std::string());
+    if (std::ranges::count(digests, std::string()) > 0) continue;
+    const auto [at, is_first] = names.try_emplace(digests, each.name());
+    if (!is_first) each.twin = at->second;
+  }
+}
+
+std::string to_html(const ClassReport& report) {
   std::string rows;
-  for (const RunReport& each : reports) rows += row(each);
-  std::string text = kHead + class_summary(reports) +
+  std::vector<RunReport> counted;
+  for (const Submission& each : report.submissions) {
+    rows += row(each);
+    counted.push_back(each.counted());
+  }
+  const std::string title =
+      html(report.title.empty() ? "Robot programs" : report.title) + ": results";
+  std::string text = kHead + tag("title", title) + "\n" + tag("h1", title) + "\n" +
+                     class_summary(counted, !to_moodle(report).empty()) +
                      table("submissions",
                            column("submission") + column("points", "n") + column("result") +
                                column("simulated s", "n") + column("bytes", "n"),
                            rows) +
-                     goal_table(reports);
-  for (const RunReport& each : reports) text += section(each);
+                     goal_table(counted);
+  for (const Submission& each : report.submissions) text += section(each);
   return text + "</html>\n";
-}
-
-std::string to_csv(const std::vector<RunReport>& reports) {
-  std::string text = "submission,outcome,points,max_points,sim_seconds,bytes,missed\n";
-  for (const RunReport& each : reports)
-    text += field(each.program) + "," + name_of(each.outcome) + "," +
-            std::to_string(points_of(each.goals)) + "," +
-            std::to_string(max_points_of(each.goals)) + "," + seconds_text(each.ticks) + "," +
-            std::to_string(each.bytes) + "," + field(missed_text(each)) + "\n";
-  return text;
 }
 
 }  // namespace xr3

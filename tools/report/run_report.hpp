@@ -7,7 +7,7 @@
 // exec` the caller then prints to_text() (text.cpp) and writes the files that the options ask for:
 // JSON and Markdown (files.cpp), JUnit for test reporters (junit.cpp), in which the program and
 // each goal are a test, and annotations (github.cpp). For `xr3 grade` class_report.hpp makes one
-// page and one table from the reports of all submissions. Names and messages come from programs
+// page and the tables from the reports of all submissions. Names and messages come from programs
 // under test and from their authors, so every form escapes them: tools/text/markup.hpp for HTML and
 // XML, printable_line() for a terminal. Nothing here opens a file.
 #pragma once
@@ -49,6 +49,10 @@ std::string name_of(RunOutcome outcome);
 
 /// The name of the program, and the number of the run if there are several.
 std::string title_of(const RunReport& report);
+
+/// The folder of one of several runs, in that of its program: 001, 002, ... Precondition: `run` is
+/// its number, from 1.
+std::string folder_of_run(std::size_t run);
 
 /// Lines for a terminal, each with a line feed.
 std::string to_text(const RunReport& report);

@@ -1,6 +1,7 @@
 // The report as lines for a terminal.
 #include <algorithm>
 #include <array>
+#include <cassert>
 
 #include "protocol/goals/goal_text.hpp"
 #include "protocol/text/printable.hpp"
@@ -41,6 +42,13 @@ std::string name_of(RunOutcome outcome) {
 
 std::string title_of(const RunReport& report) {
   return report.program + (report.run > 0 ? ", run " + std::to_string(report.run) : "");
+}
+
+std::string folder_of_run(std::size_t run) {
+  assert(run > 0);
+  constexpr std::size_t kDigits = 3;
+  const std::string number = std::to_string(run);
+  return std::string(kDigits - std::min(kDigits, number.size()), '0') + number;
 }
 
 std::string to_text(const RunReport& report) {
