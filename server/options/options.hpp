@@ -54,6 +54,9 @@ struct ServeOptions {
   std::string listen = "localhost";   ///< localhost: 127.0.0.1 and, with IPv6, ::1
   std::uint16_t robot_port = 9600;    ///< 0 for any free port
   std::uint16_t monitor_port = 9601;  ///< 0 for any free port
+  std::string exercise;               ///< name or path; empty for none
+  std::string goals;                  ///< file of the goals that the overview shows; empty for none
+  std::string exercise_title;         ///< title for these goals; empty if there is none
   std::size_t cells = 0;              ///< 0 for one, with the name main
   std::vector<CellChoice> cell_choices;
   bool is_cell_per_connection = false;
