@@ -20,12 +20,13 @@ const bracketed = (text) => (/^[\da-f]*:[\da-f:]*:[\da-f:.]*$/i.test(text) ? `[$
  * @param {string} text @param {{protocol: string, port: string}} page @returns {URL}
  */
 export function addressOf(text, { protocol, port }) {
-  const typed = text.trim().replace(/\/$/, "");
-  const whole = /^https?:\/\//.test(typed) ? typed : `${protocol}//${bracketed(typed)}`;
+  const typed = bracketed(text.trim());
+  const isWhole = /^https?:\/\//.test(typed);
+  const whole = isWhole ? typed : `${protocol}//${typed}`;
   const url = URL.canParse(whole) ? new URL(whole) : null;
   if (!typed || !url || url.pathname !== "/" || url.search || url.hash || url.username) throw new Error("A name or an address, please, for example rhino.school or 192.168.1.7.");
   if (isLocal(url.hostname)) throw new Error(`On the students’ machines, ${url.hostname} means their own machine. Type the name or address of this one.`);
-  if (!url.port && whole !== typed) url.port = port;
+  if (!isWhole && !/:\d+\/?$/.test(typed)) url.port = port;
   return url;
 }
 
