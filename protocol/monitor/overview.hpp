@@ -78,8 +78,8 @@ Json summary_json(const CellSummary& cell);
 /// Whether two objects differ in more than their tick.
 bool is_news(const CellSummary& before, const CellSummary& now);
 
-/// A message of the channel, sent at `now`. `cells` are the texts of their objects. `is_whole`: the client must
-/// discard all cells of earlier messages.
+/// A message of the channel, made at `now`. `cells` are the texts of their objects. `is_whole`: the
+/// client must discard all cells of earlier messages.
 Message overview_message(std::int64_t seq, UnixMs now, bool is_whole,
                          const std::vector<std::string>& cells,
                          const std::vector<std::string>& closed);

@@ -48,6 +48,9 @@ struct DeviceChoice {
 /// The robot of commands that name none.
 inline constexpr const char* kUsualRobot = "rhino-xr3";
 
+/// The longest past that a cell keeps.
+inline constexpr Tick kMaxHistory = Tick{24} * 3600 * kTickHz;
+
 struct ServeOptions {
   std::string robot = kUsualRobot;    ///< name or path
   std::string workcell;               ///< empty for the one with the robot's name
