@@ -64,6 +64,7 @@ TEST(MonitorFields, EventsHaveTheFieldsOfAllKinds) {
       CellOpenedNote{"c1"},
       CellClosedNote{"c1"},
       RecordingNote{},
+      ContinuedNote{},
   };
   Json all = Json::object();
   for (const CellNote& note : notes)
