@@ -116,7 +116,7 @@ Codec<SavedCell> saved_cell() {
   const std::string form = "a snapshot, as snapshot_save gives it";
   const auto read = [form](const Place& place, SavedCell& value) {
     if (!place.value.is_object()) return place.refuse(form);
-    Reading reading(place.value, Unit::kOfDocument);
+    Reading reading(place.value, Unit::kMm);
     std::optional<SavedCell> saved = read_saved_cell(reading);
     place.reading.adopt(reading);
     if (saved) value = *std::move(saved);
@@ -184,7 +184,8 @@ void check_parts(const Parts& parts, Reading& reading) {
     return reading.refuse("/robot", "", "a robot in the form of its file");
   const bool is_real = parts.clock.mode == ClockMode::kReal && parts.clock.rate == Rate{};
   if (parts.device && (!is_real || parts.line_speed || parts.faults || parts.start))
-    reading.refuse("/device", "a device", "none with faults, a line speed or another clock");
+    reading.refuse("/device", "a device",
+                   "none with faults, a line speed, a start or another clock");
 }
 
 /// The joints of the faults must be the robot's.
