@@ -215,7 +215,7 @@ Snapshot Cell::snapshot() const {
   if (const DeviceLink* its = device())
     status = {its->path(), its->is_open(), its->is_engaged(), its->bytes_out(), its->bytes_in()};
   return {epoch(), clock().mode(),    clock().rate(), model_rev(),
-          state(), std::move(status), is_in_past()};
+          state(), std::move(status), is_in_past(),   is_frozen()};
 }
 
 bool Cell::has_news_to_come() const {

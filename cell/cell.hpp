@@ -130,6 +130,7 @@ class Cell final {
   /// The transcript of this epoch; nullptr unless the clock was made by SimClock::bytes().
   const Transcript* transcript() const { return state_.transcript ? &*state_.transcript : nullptr; }
   bool is_in_past() const { return state_.in_past.has_value(); }
+  bool is_frozen() const { return state_.frozen.has_value(); }
   Snapshot snapshot() const;
   /// The camera image, rendered at most once per state; nullptr if the workcell has no camera.
   ImagePtr camera_image() { return state_.machine.camera_image(); }

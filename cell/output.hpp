@@ -65,6 +65,7 @@ class CellOutput {
   /// A new record, which the caller must fill. Valid until the next call.
   WireRecord& add_record();
   std::span<WireRecord> records() { return {slots_.data(), records_}; }
+  std::span<const WireRecord> records() const { return {slots_.data(), records_}; }
 
   void add_bytes(Tick tick, LineId line, std::string_view bytes);
   template <class Use>

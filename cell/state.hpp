@@ -41,6 +41,12 @@ struct InPast {
   bool operator==(const InPast&) const = default;
 };
 
+/// Time stands until Unfreeze.
+struct Frozen {
+  bool was_manual = false;  ///< the clock, before
+  bool operator==(const Frozen&) const = default;
+};
+
 /// Everything that the cell's future depends on beside its inputs and its settings: a copy is a
 /// checkpoint, from which recorded inputs can be repeated bit-identically.
 struct Rewindable {
@@ -56,6 +62,7 @@ struct Rewindable {
   std::map<std::string, MachineSnapshotPtr> snapshots = {};
   DueBytes due_bytes = {};
   std::optional<InPast> in_past = {};
+  std::optional<Frozen> frozen = {};
   bool operator==(const Rewindable&) const = default;
 };
 

@@ -7,12 +7,14 @@
 #include <exception>
 #include <iostream>
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "cli/build_info.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/commands/fail.hpp"
+#include "cli/exec/exercise_folder.hpp"
 #include "cli/options/options.hpp"
 #include "protocol/json/finding.hpp"
 #include "server/app.hpp"
@@ -23,7 +25,8 @@
 namespace xr3 {
 namespace {
 
-/// The seeds of the cells; cells of the same files share a model.
+/// The seeds of the cells; cells of the same files share a model. The goals are for those with the
+/// robot and workcell of the options.
 std::vector<CellSeed> load_seeds(const ServeOptions& options) {
   std::vector<CellPlan> plans = plan_cells(options);
   if (plans.empty()) plans.push_back({"", options.robot, options.workcell, 0});
@@ -32,13 +35,17 @@ std::vector<CellSeed> load_seeds(const ServeOptions& options) {
   for (const CellPlan& plan : plans) {
     CellSeed& seed = loaded[{plan.robot, plan.workcell}];
     if (!seed.model) seed = load_seed(options, plan.robot, plan.workcell);
+    const bool is_usual = plan.robot == options.robot && plan.workcell == options.workcell;
+    if (is_usual && !seed.exercise) seed.exercise = load_live_exercise(options, seed);
     seeds.push_back(seed);
   }
   return seeds;
 }
 
-ExitCode run_command(const ServeOptions& options) {
+ExitCode run_command(ServeOptions options) {
   ignore_signals_of_writing();
+  std::optional<ExerciseFolder> exercise;  // an unpacked archive exists as long as it does
+  if (!options.exercise.empty()) exercise.emplace(options.exercise).set_for_lesson(options);
   with_option_source(options.option_sources, "--log-file",
                      [&] { start_log(options.log_level, options.log_file); });
   const std::string token = with_option_source(options.option_sources, "--token-file",

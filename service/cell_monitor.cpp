@@ -91,7 +91,8 @@ struct CellMonitor::Dispatch {
   }
   void carry_out(const CellCall&, const monitor::ListCells&) const {
     cell().catch_up(now);
-    send(Json{{"cells", Json::array({monitor::summary_json(summary_of(cell()))})}});
+    send(Json{{"cells", Json::array({monitor::summary_json(summary_of(cell()))})},
+              {"exercise", nullptr}});
   }
   void carry_out(const CellCall&, const monitor::Describe& wanted) const {
     Json value = value_now(cell());

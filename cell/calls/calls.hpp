@@ -13,6 +13,8 @@ call::Outcome carry_out(CellState& cell, const call::Call& call, WallNs now, Cel
 // time.cpp
 call::Outcome carry_out(CellState&, const call::Pause&, WallNs now, CellOutput&);
 call::Outcome carry_out(CellState&, const call::Resume&, WallNs now, CellOutput&);
+call::Outcome carry_out(CellState&, const call::Freeze&, WallNs now, CellOutput&);
+call::Outcome carry_out(CellState&, const call::Unfreeze&, WallNs now, CellOutput&);
 call::Outcome carry_out(CellState&, const call::SetRate&, WallNs now, CellOutput&);
 call::Outcome carry_out(CellState&, const call::Step&, WallNs now, CellOutput&);
 call::Outcome carry_out(CellState&, const call::RunUntil&, WallNs now, CellOutput&);
@@ -21,6 +23,7 @@ call::Outcome carry_out(CellState&, const call::Reset&, WallNs now, CellOutput&)
 call::Outcome carry_out(CellState&, const call::Home&, WallNs now, CellOutput&);
 call::Outcome carry_out(CellState&, const call::Key&, WallNs now, CellOutput&);
 call::Outcome carry_out(CellState&, const call::SetInput&, WallNs now, CellOutput&);
+call::Outcome carry_out(CellState&, const call::SayNotice&, WallNs now, CellOutput&);
 // device.cpp
 call::Outcome carry_out(CellState&, const call::StopDevice&, WallNs now, CellOutput&);
 call::Outcome carry_out(CellState&, const call::AlignMirror&, WallNs now, CellOutput&);

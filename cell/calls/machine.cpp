@@ -1,5 +1,6 @@
 #include "cell/calls/calls.hpp"
 #include "cell/epoch.hpp"
+#include "cell/events.hpp"
 
 namespace xr3 {
 
@@ -29,6 +30,11 @@ call::Outcome carry_out(CellState& cell, const call::Key& key, WallNs, CellOutpu
 
 call::Outcome carry_out(CellState& cell, const call::SetInput& input, WallNs, CellOutput&) {
   cell.machine.set_input(input.input, input.value);
+  return call::Done{};
+}
+
+call::Outcome carry_out(CellState& cell, const call::SayNotice& notice, WallNs, CellOutput& out) {
+  emit(cell, std::nullopt, NoticeNote{notice.text}, out);
   return call::Done{};
 }
 

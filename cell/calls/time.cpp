@@ -19,6 +19,11 @@ call::Refused has_device() {
           "start the server without --serial to control time"};
 }
 
+call::Refused frozen() {
+  return {"frozen", "time stands: this robot is frozen for a lesson",
+          "wait until the holder of the server's token calls unfreeze"};
+}
+
 void note_clock(CellState& cell, std::string_view call, CellOutput& out) {
   emit(cell, std::nullopt, ClockNote{call, cell.clock.mode(), cell.clock.rate()}, out);
 }
@@ -39,7 +44,31 @@ call::Outcome carry_out(CellState& cell, const call::Pause&, WallNs now, CellOut
   return call::Done{};
 }
 
+call::Outcome carry_out(CellState& cell, const call::Freeze&, WallNs now, CellOutput& out) {
+  if (cell.device) return has_device();
+  if (cell.frozen) return call::Done{};
+  const bool is_manual = cell.clock.mode() == ClockMode::kManual;
+  cell.frozen = Frozen{cell.in_past ? cell.in_past->was_manual : is_manual};
+  cell.clock.pause(now);
+  note_clock(cell, "freeze", out);
+  return call::Done{};
+}
+
+call::Outcome carry_out(CellState& cell, const call::Unfreeze&, WallNs now, CellOutput& out) {
+  if (!cell.frozen) return call::Done{};
+  const Frozen before = *cell.frozen;
+  cell.frozen.reset();
+  if (cell.in_past) {
+    cell.in_past->was_manual = before.was_manual;
+  } else if (!before.was_manual) {
+    cell.clock.resume(now);
+  }
+  note_clock(cell, "unfreeze", out);
+  return call::Done{};
+}
+
 call::Outcome carry_out(CellState& cell, const call::Resume&, WallNs now, CellOutput& out) {
+  if (cell.frozen) return frozen();
   const bool stays_manual = cell.in_past && cell.in_past->was_manual;
   end_past(cell, out);
   if (stays_manual) return call::Done{};
@@ -62,6 +91,7 @@ call::Outcome carry_out(CellState& cell, const call::SetRate& rate, WallNs now, 
 }
 
 call::Outcome carry_out(CellState& cell, const call::Step& step, WallNs now, CellOutput& out) {
+  if (cell.frozen) return frozen();
   if (cell.clock.mode() == ClockMode::kReal) return clock_running("step");
   const Tick start = cell.tick();
   advance(cell, start + step.ticks, out);
@@ -70,6 +100,7 @@ call::Outcome carry_out(CellState& cell, const call::Step& step, WallNs now, Cel
 }
 
 call::Outcome carry_out(CellState& cell, const call::RunUntil& run, WallNs now, CellOutput& out) {
+  if (cell.frozen) return frozen();
   if (cell.clock.mode() == ClockMode::kReal) return clock_running("run_until");
   const Tick start = cell.tick();
   const Tick limit = start + run.max_ticks;

@@ -29,8 +29,8 @@ ContinuedState continued_state(const Cell& cell) {
   start.us = static_cast<int>(cell.clock_remainder());
   start.model_rev = value.model_rev;
   start.last_line = value.last_line;
-  start.is_in_past = cell.is_in_past();
-  start.was_manual = value.in_past && value.in_past->was_manual;
+  if (value.in_past) start.past_was_manual = value.in_past->was_manual;
+  if (value.frozen) start.freeze_was_manual = value.frozen->was_manual;
   start.saved = {hash, cell.model().workcell(), cell.state()};
   for (const auto& [name, each] : value.snapshots)
     start.snapshots.push_back({name, {hash, each->model->workcell(), each->state}});
@@ -49,7 +49,8 @@ void begin_at_start(Cell& cell, const recording::Header& header, WallNs now) {
   begin.last_line = start.last_line;
   if (header.byte_clock) begin.byte_clock.emplace(*header.byte_clock, header.line_speed);
   if (begin.byte_clock) begin.byte_clock->set_remainder(start.us);
-  if (start.is_in_past) begin.in_past = InPast{start.was_manual};
+  if (start.past_was_manual) begin.in_past = InPast{*start.past_was_manual};
+  if (start.freeze_was_manual) begin.frozen = Frozen{*start.freeze_was_manual};
   for (const auto& [name, saved] : start.snapshots)
     begin.snapshots.emplace(name, machine_of(cell, saved));
   cell.continue_from(std::move(begin), header.faults.value_or(FaultPlan{}),

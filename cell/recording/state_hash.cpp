@@ -14,7 +14,7 @@ namespace xr3 {
 std::string StateHasher::hash(const Cell& cell) {
   const Rewindable& state = cell.value();
   const auto& [machine, clock, epoch, model_rev, byte_clock, transcript, agenda, lines, last_line,
-               snapshots, due_bytes, in_past] = state;
+               snapshots, due_bytes, in_past, frozen] = state;
   if (model_ != cell.model_ptr()) {
     model_ = cell.model_ptr();
     model_hash_ = sha256(robot_hash(*model_) + workcell_to_json(model_->workcell()).dump());

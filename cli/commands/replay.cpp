@@ -148,6 +148,7 @@ ExitCode replay_and_serve(const ReplayCommand& command) {
   server.has_concurrent_lines = bytes.has_concurrent_lines;
   server.line_speed = header.line_speed;
   server.profile = header.model->profile();
+  server.history_ticks = kMaxHistory;  // the whole recording, as far as it fits
   App app(server, {CellSeed{header.model, header.faults}}, token);
   bool is_same = false;
   app.begin_with([&](Cell& cell) {

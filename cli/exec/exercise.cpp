@@ -12,20 +12,14 @@
 #include "cli/exec/private_file.hpp"
 #include "cli/exec/run_folder.hpp"
 #include "cli/exec/sandbox.hpp"
-#include "protocol/goals/file.hpp"
 #include "server/files/atomic_write.hpp"
 #include "server/files/data_files.hpp"
+#include "server/files/load_model.hpp"
 #include "tools/drawing/picture.hpp"
 #include "tools/drawing/svg.hpp"
 
 namespace xr3 {
 namespace {
-
-GoalList load_goal_list(const std::string& path, const Model& model) {
-  if (path.empty()) return {};
-  const DataFile file = find_data_file(path, "goals");
-  return load_goals(file.text, file.path, model);
-}
 
 void require_readable(const std::vector<std::string>& paths) {
   for (const std::string& each : paths)
@@ -61,7 +55,7 @@ Exercise::Exercise(const Sources& sources)
       options_(sources.exec),
       server_(sources.server),
       seed_(load_seed(server_, server_.robot, server_.workcell)),
-      goals_(load_goal_list(options_.goals, *seed_.model)) {
+      goals_(options_.goals.empty() ? GoalList{} : load_goal_list(options_.goals, *seed_.model)) {
   require_readable(options_.readable);
   const auto user = program_user(options_.run_as, options_.is_sandboxed, 0);
   if (options_.is_sandboxed) require_sandbox(user, options_.without_sandbox);

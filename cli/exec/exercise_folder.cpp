@@ -62,10 +62,20 @@ void ExerciseFolder::set(ExecOptions& options) const {
   }
 }
 
-void ExerciseFolder::set(ServeOptions& options) const {
+void ExerciseFolder::set_for_lesson(ServeOptions& options) const {
+  set_machine(options);
+  options.goals = place_of(file_.goals);
+  options.exercise_title = file_.title;
+}
+
+void ExerciseFolder::set_machine(ServeOptions& options) const {
   if (!file_.robot.empty()) options.robot = place_of(file_.robot);
   if (!file_.workcell.empty()) options.workcell = place_of(file_.workcell);
   if (!file_.faults.empty()) options.fault_file = place_of(file_.faults);
+}
+
+void ExerciseFolder::set(ServeOptions& options) const {
+  set_machine(options);
   if (!file_.clock.empty()) try {
       options.clock = parse_clock(file_.clock);
     } catch (const std::invalid_argument& error) {

@@ -27,8 +27,12 @@ class ExerciseFolder {
   void set(ExecOptions& options) const;
   /// Sets robot, workcell, faults and clock. Throws FileError if the clock is invalid.
   void set(ServeOptions& options) const;
+  /// Sets robot, workcell and faults, and the goals with their title: for programs that are watched
+  /// while they are written, on any clock.
+  void set_for_lesson(ServeOptions& options) const;
 
  private:
+  void set_machine(ServeOptions& options) const;
   std::string place_of(const std::string& name) const;
   [[noreturn]] void refuse(const char* member, const std::string& why) const;
 

@@ -221,7 +221,7 @@ std::uint32_t parse_mode(const std::string& text) {
 }
 
 Tick parse_duration(const std::string& text) {
-  constexpr Tick kMost = 24 * 3600;
+  constexpr Tick kMost = kMaxHistory / kTickHz;
   Tick number = 0;
   const char* const last = text.data() + text.size();
   const auto [end, error] = std::from_chars(text.data(), last, number);

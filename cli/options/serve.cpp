@@ -89,6 +89,16 @@ void add_cells(CLI::App& serve, ServeOptions& options) {
            "the first address that speaks on a robot port keeps it; others are disconnected");
 }
 
+void add_exercise(CLI::App& serve, ServeOptions& options) {
+  CLI::Option* exercise =
+      add_value(serve, "--exercise", options.exercise, "NAME|FOLDER|ZIP",
+                "exercise with robot, workcell, faults and goals, which the overview shows");
+  CLI::Option* goals = add_value(serve, "--goals", options.goals, "FILE",
+                                 "goals of which the overview shows those that are met");
+  for (const char* each : {"--robot", "--workcell", "--fault"}) exercise->excludes(each);
+  exercise->excludes(goals);
+}
+
 void add_end(CLI::App& serve, ServeOptions& options) {
   add_flag(serve, kUntilStdinEnds, options.is_until_stdin_ends,
            "stop as on SIGTERM when standard input ends, as with the process at its other end");
@@ -277,6 +287,7 @@ void add_access(CLI::App& serve, ServeOptions& options) {
 void add_serve(CLI::App& app, ServeOptions& options) {
   CLI::App& serve = *app.add_subcommand("serve", "start a robot and its controller");
   add_machine(serve, options);
+  add_exercise(serve, options);
   add_ports(serve, options);
   add_cells(serve, options);
   add_time(serve, options,

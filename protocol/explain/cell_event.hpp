@@ -78,7 +78,7 @@ struct ContestedNote {
   char label = 0;
 };
 struct ClockNote {
-  std::string_view call;  ///< pause, resume or rate
+  std::string_view call;  ///< pause, resume, rate, freeze or unfreeze
   ClockMode mode = ClockMode::kReal;
   Rate rate;
 };
@@ -130,6 +130,11 @@ struct DeviceNote {
   std::uint64_t count = 0;  ///< kUnasked: the number of bytes
 };
 
+/// The call `notice`: a message for those who look at the cell.
+struct NoticeNote {
+  std::string text;
+};
+
 /// The recording of the cell has ended; the cell continues.
 struct RecordingNote {
   std::string path;  ///< path of the recording's file
@@ -143,10 +148,10 @@ struct ContinuedNote {
   std::string why;   ///< the reason why it cannot; empty if it goes on
 };
 
-using CellNote =
-    std::variant<EventBody, ProblemNote, SuppressedNote, LineOpenedNote, LineClosedNote,
-                 LineTurnNote, ContestedNote, ClockNote, ModelNote, EpochNote, HandoverNote,
-                 DeviceNote, CellOpenedNote, CellClosedNote, RecordingNote, ContinuedNote>;
+using CellNote = std::variant<EventBody, ProblemNote, SuppressedNote, LineOpenedNote,
+                              LineClosedNote, LineTurnNote, ContestedNote, ClockNote, ModelNote,
+                              EpochNote, HandoverNote, DeviceNote, CellOpenedNote, CellClosedNote,
+                              NoticeNote, RecordingNote, ContinuedNote>;
 
 struct CellEvent {
   Epoch epoch = 0;

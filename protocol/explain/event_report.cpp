@@ -231,6 +231,9 @@ struct CellEvents {
             std::move(message),
             {{"device", note.path}, {"hex", hexadecimal(note.raw.view())}, {"count", note.count}}};
   }
+  EventReport operator()(const NoticeNote& note) const {
+    return {"notice", "notice", note.text, {}};
+  }
   EventReport operator()(const RecordingNote& note) const {
     return {"recording",
             "recording_failed",

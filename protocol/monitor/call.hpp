@@ -37,6 +37,7 @@ struct Traits {
   bool works_in_past = false;     ///< permitted while the cell is in its past
   bool keeps_transcript = false;  ///< the transcript stays a function of the bytes, or begins anew
   bool returns_faults = false;    ///< the result has the list of faults
+  bool is_for_teachers = false;   ///< a token of the cell alone does not suffice
 };
 
 /// Switches the clock to manual mode.
@@ -44,6 +45,22 @@ struct Pause {};
 /// Switches the clock to real mode: it follows wall time.
 struct Resume {
   static constexpr Traits traits() { return {.works_in_past = true}; }
+};
+/// Stops time for a lesson: nothing but Unfreeze makes it pass again.
+struct Freeze {
+  static constexpr Traits traits() { return {.works_in_past = true, .is_for_teachers = true}; }
+};
+/// Time passes again as before the Freeze.
+struct Unfreeze {
+  static constexpr Traits traits() { return {.works_in_past = true, .is_for_teachers = true}; }
+};
+/// Tells those who follow the cell's events something. It changes nothing else.
+struct SayNotice {
+  static constexpr std::size_t kMaxText = 500;
+  std::string text;  ///< 1 to kMaxText characters
+  static constexpr Traits traits() {
+    return {.works_in_past = true, .keeps_transcript = true, .is_for_teachers = true};
+  }
 };
 struct SetRate {
   Rate rate;  ///< kSlowest...kFastest
@@ -122,9 +139,10 @@ struct ClearFault {
   static constexpr Traits traits() { return {.returns_faults = true}; }
 };
 
-using Call = std::variant<Pause, Resume, SetRate, Step, RunUntil, Reset, Home, Key, StopDevice,
-                          AlignMirror, SetInput, AddBlock, MoveBlock, RemoveBlock, ReplaceWorkcell,
-                          SaveSnapshot, LoadSnapshot, SetFault, ClearFault>;
+using Call =
+    std::variant<Pause, Resume, Freeze, Unfreeze, SayNotice, SetRate, Step, RunUntil, Reset, Home,
+                 Key, StopDevice, AlignMirror, SetInput, AddBlock, MoveBlock, RemoveBlock,
+                 ReplaceWorkcell, SaveSnapshot, LoadSnapshot, SetFault, ClearFault>;
 
 inline Traits traits_of(const Call& call) {
   return std::visit(

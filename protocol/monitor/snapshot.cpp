@@ -181,6 +181,7 @@ constexpr std::array<StateMember, 11> kMembers = {{
      [](const StateView& v) {
        Json clock = clock_json(v.snapshot.mode, v.snapshot.rate);
        if (v.snapshot.is_in_past) clock["past"] = true;
+       if (v.snapshot.is_frozen) clock["frozen"] = true;
        return clock;
      }},
     {"joints", joints_json},

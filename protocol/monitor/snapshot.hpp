@@ -35,6 +35,7 @@ struct Snapshot {
   State state;
   std::optional<DeviceStatus> device;
   bool is_in_past = false;  ///< the cell was taken back, and time is stopped
+  bool is_frozen = false;   ///< time is stopped for a lesson
   bool operator==(const Snapshot&) const = default;
 };
 

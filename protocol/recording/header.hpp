@@ -40,9 +40,9 @@ struct ContinuedState {
   int us = 0;  ///< with a byte clock: microseconds after the tick, 0...999
   int model_rev = 1;
   LineId last_line = 0;
-  bool is_in_past = false;  ///< the cell was taken back, and waits
-  bool was_manual = false;  ///< if so, whether its clock was manual before
-  SavedCell saved{};        ///< the workcell is that of the model
+  std::optional<bool> past_was_manual{};    ///< in the past: whether the clock was manual before
+  std::optional<bool> freeze_was_manual{};  ///< frozen: likewise
+  SavedCell saved{};                        ///< the workcell is that of the model
   std::vector<NamedState> snapshots{};
 };
 

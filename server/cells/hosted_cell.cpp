@@ -9,9 +9,11 @@ HostedCell::HostedCell(CellContext& context, CellParts parts)
       token_(std::move(parts.token)),
       events_(std::move(parts.sink)),
       cell_(std::move(parts.name), std::move(parts.model), parts.clock, context.rings),
+      attention_(cell_),
       lines_(context.turns, cell_, [this] { after_input(); }),
       due_timer_(context.io, cell_, [this] { after_input(); }),
       silence_timer_(context.io, cell_, lines_, [this] { after_input(); }),
+      hold_timer_(context.io, cell_, lines_),
       frames_(cell_),
       hub_(context.io, cell_, frames_, [this] { context_.turns.run_turns(); }),
       pictures_(context.io, context.worker) {
@@ -64,14 +66,22 @@ void HostedCell::come_back() {
   absence_->end();
   absence_.reset();
   port_->release();
+  if (goals_) goals_->restart();
   after_input();
+}
+
+void HostedCell::describe(monitor::CellSummary& summary) const {
+  attention_.describe(summary);
+  if (goals_) goals_->describe(summary);
 }
 
 void HostedCell::after_input() {
   if (is_frozen_) return;
+  if (goals_) goals_->update();
   for (const LineId line : cell_.take_woken_lines()) lines_.wake(line);
   due_timer_.update();
   silence_timer_.update();
+  hold_timer_.update();
   if (device_) device_->pump();
   hub_.changed();
   context_.on_input(*this);
@@ -82,6 +92,7 @@ void HostedCell::close_ports() {
   if (ptys_) ptys_->close();
   due_timer_.close();
   silence_timer_.close();
+  hold_timer_.close();
   if (device_) device_->close();
 }
 

@@ -23,10 +23,13 @@
 #include "cell/frames.hpp"
 #include "cell/history/history.hpp"
 #include "server/cells/absence.hpp"
+#include "server/cells/attention.hpp"
 #include "server/cells/event_forwarder.hpp"
+#include "server/cells/live_goals.hpp"
 #include "server/device/port.hpp"
 #include "server/http/pictures.hpp"
 #include "server/lines/due_timer.hpp"
+#include "server/lines/hold_timer.hpp"
 #include "server/lines/sessions.hpp"
 #include "server/lines/silence_timer.hpp"
 #include "server/net/asio.hpp"
@@ -121,6 +124,15 @@ class HostedCell : public std::enable_shared_from_this<HostedCell> {
   asio::awaitable<void> be_back();
   void come_back();
 
+  /// Shows which goals of the exercise are met.
+  void follow_goals(std::shared_ptr<const LiveExercise> exercise) {
+    goals_.emplace(cell_, std::move(exercise));
+  }
+  /// nullptr if it has none.
+  const LiveGoals* goals() const { return goals_ ? &*goals_ : nullptr; }
+  /// Fills in what a lesson needs of the programs and the goals.
+  void describe(monitor::CellSummary& summary) const;
+
   /// To be called after an input of the cell: serves its lines and subscribers.
   void after_input();
 
@@ -147,11 +159,14 @@ class HostedCell : public std::enable_shared_from_this<HostedCell> {
   std::string token_;
   EventForwarder events_;
   Cell cell_;
+  Attention attention_;
+  std::optional<LiveGoals> goals_;
   std::optional<Recording> recording_;
   std::optional<History> history_;
   LineSessions lines_;
   DueTimer due_timer_;
   SilenceTimer silence_timer_;
+  HoldTimer hold_timer_;
   std::unique_ptr<RobotPort> port_;
   std::unique_ptr<PtyPort> ptys_;
   std::optional<DevicePort> device_;

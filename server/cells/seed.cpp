@@ -32,6 +32,15 @@ CellSeed load_seed(const ServeOptions& options, const std::string& robot,
   return seed;
 }
 
+std::shared_ptr<const LiveExercise> load_live_exercise(const ServeOptions& options,
+                                                       const CellSeed& seed) {
+  if (options.goals.empty()) return nullptr;
+  GoalList goals = with_option_source(options.option_sources, "--goals",
+                                      [&] { return load_goal_list(options.goals, *seed.model); });
+  return std::make_shared<const LiveExercise>(
+      live_exercise(options.exercise_title, std::move(goals), seed.model, seed.faults));
+}
+
 ByteClockSettings byte_clock_settings(const ServeOptions& options) {
   ByteClockSettings settings = options.clock.bytes;
   settings.has_concurrent_lines = options.has_concurrent_lines;
@@ -53,6 +62,7 @@ CellPtr make_cell(CellContext& context, const ServeOptions& options, const CellS
                                             std::move(sink), std::move(token)});
   start_time(options, cell->cell());
   if (seed.faults) cell->cell().set_faults(*seed.faults);
+  if (seed.exercise) cell->follow_goals(seed.exercise);
   return cell;
 }
 

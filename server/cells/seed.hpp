@@ -2,6 +2,7 @@
 // of `serve` say.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -16,11 +17,17 @@ namespace xr3 {
 struct CellSeed {
   ModelPtr model;
   std::optional<FaultPlan> faults;
+  std::shared_ptr<const LiveExercise> exercise = {};  ///< nullptr without goals
 };
 
 /// Loads the files of a cell. Throws FileError and DataError.
 CellSeed load_seed(const ServeOptions& options, const std::string& robot,
                    const std::string& workcell);
+
+/// The exercise whose goals the options name, for the robot of this seed; nullptr if there is none.
+/// Throws FileError and DataError.
+std::shared_ptr<const LiveExercise> load_live_exercise(const ServeOptions& options,
+                                                       const CellSeed& seed);
 
 /// The rules of the byte clock that the options choose.
 ByteClockSettings byte_clock_settings(const ServeOptions& options);

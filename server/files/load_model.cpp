@@ -5,6 +5,7 @@
 
 #include "core/inverse/empty_table.hpp"
 #include "protocol/files/paper_form/paper_form.hpp"
+#include "protocol/goals/file.hpp"
 #include "server/files/data_files.hpp"
 
 namespace xr3 {
@@ -39,6 +40,11 @@ std::optional<Robot> robot_with_name_of(const std::string& workcell_file) {
   if (!has_data_file(name, "robots")) return std::nullopt;
   const DataFile data = find_data_file(name, "robots");
   return load_robot_of_either_form(data.text, data.path);
+}
+
+GoalList load_goal_list(const std::string& file, const Model& model) {
+  const DataFile data = find_data_file(file, "goals");
+  return load_goals(data.text, data.path, model);
 }
 
 }  // namespace xr3

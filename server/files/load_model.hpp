@@ -1,10 +1,11 @@
-// Loads a robot and a workcell from their files.
+// Loads a robot and a workcell from their files, and goals for them.
 #pragma once
 
 #include <optional>
 #include <string>
 
 #include "core/model.hpp"
+#include "protocol/goals/goal.hpp"
 #include "server/base/option_sources.hpp"
 
 namespace xr3 {
@@ -23,5 +24,8 @@ ModelPtr load_model(const ModelFiles& files);
 /// The robot with the name of a workcell file, if there is one: blocks are checked against it.
 /// Throws FileError and DataError.
 std::optional<Robot> robot_with_name_of(const std::string& workcell_file);
+
+/// The goals of a file: a name or a path. Throws FileError and DataError.
+GoalList load_goal_list(const std::string& file, const Model& model);
 
 }  // namespace xr3

@@ -93,6 +93,18 @@ void LineSession::end_input() {
   context_.on_input(id_);
 }
 
+/// Whether the replies wait since the cell is frozen. Later ones wait with the first.
+bool LineSession::is_held() {
+  const bool is_frozen = context_.cell.is_frozen() && end_ != LineCloseReason::kShutdown;
+  if (!is_frozen || context_.cell.find_line(id_)->outbox().empty()) {
+    held_since_.reset();
+    return false;
+  }
+  const WallNs now = wall_now();
+  if (!held_since_) held_since_ = now;
+  return now - *held_since_ < kFrozenReply;
+}
+
 // Sends as much as the stream accepts now, and applies the bytes that waited for room in the
 // outbox.
 LineSession::Turn LineSession::flush(WallNs end) {
@@ -103,10 +115,12 @@ LineSession::Turn LineSession::flush(WallNs end) {
   if (waits && !is_broken_) return Turn::kBlocked;
   if (has_ended_) end_input();
   if (!is_open()) return Turn::kBlocked;
-  if (is_broken_ && (waits || line.is_paced() || line.holds_replies())) {
+  const bool is_frozen = is_held();
+  if (is_broken_ && (waits || is_frozen || line.is_paced() || line.holds_replies())) {
     close(LineCloseReason::kError);
     return Turn::kBlocked;
   }
+  if (is_frozen) return Turn::kBlocked;
   const auto accepts_pending = [&] {
     return !pending_.empty() && accepts(context_.cell.value(), line, pending_.front());
   };

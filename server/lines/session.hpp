@@ -5,6 +5,7 @@
 #include <cassert>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "cell/cell.hpp"
@@ -53,6 +54,9 @@ class LineSession {
   /// into kTurnTime, and one piece of 64 bytes or one full outbox more. The clock does not affect
   /// the state: it only decides which bytes belong to the next turn.
   Turn run_turn(WallNs now);
+  /// Time after which a reply of a frozen cell leaves. So slow replies, all equal, do not look like
+  /// a stuck joint for a lesson's length of time, and no program that reads for 10 s gives up.
+  static constexpr WallNs kFrozenReply = 4'000'000'000;
   /// An image costs a thousand times as much as the byte that requests it.
   static constexpr WallNs kTurnTime = 150'000;
   static constexpr std::size_t kBytesATurn = 256;
@@ -84,6 +88,7 @@ class LineSession {
  private:
   Turn read_and_execute(WallNs now);
   Turn flush(WallNs end);
+  bool is_held();
   std::size_t turn_bytes() const;
   std::size_t read(std::size_t most);
   void execute(std::string_view bytes, WallNs end, WallNs now);
@@ -100,7 +105,8 @@ class LineSession {
   std::string pending_;     ///< read, but not applied because the outbox was full
   bool is_ending_ = false;  ///< the stream ends after the bytes that have arrived
   bool is_broken_ = false;
-  bool has_ended_ = false;                                ///< no more bytes will be read
+  bool has_ended_ = false;            ///< no more bytes will be read
+  std::optional<WallNs> held_since_;  ///< time of the first reply that waits, if frozen
   LineCloseReason end_ = LineCloseReason::kClientClosed;  ///< the reason, once has_ended_
 };
 

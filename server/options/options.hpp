@@ -49,13 +49,19 @@ struct DeviceChoice {
 /// The robot of commands that name none.
 inline constexpr const char* kUsualRobot = "rhino-xr3";
 
+/// The longest past that a cell keeps.
+inline constexpr Tick kMaxHistory = Tick{24} * 3600 * kTickHz;
+
 struct ServeOptions {
-  std::string robot = kUsualRobot;       ///< name or path
-  std::string workcell;                  ///< empty for the one with the robot's name
-  std::string listen = "localhost";      ///< localhost: 127.0.0.1 and, with IPv6, ::1
-  std::uint16_t robot_port = 9600;       ///< 0 for any free port
-  std::uint16_t monitor_port = 9601;     ///< 0 for any free port
-  std::size_t cells = 0;                 ///< 0 for one, with the name main
+  std::string robot = kUsualRobot;    ///< name or path
+  std::string workcell;               ///< empty for the one with the robot's name
+  std::string listen = "localhost";   ///< localhost: 127.0.0.1 and, with IPv6, ::1
+  std::uint16_t robot_port = 9600;    ///< 0 for any free port
+  std::uint16_t monitor_port = 9601;  ///< 0 for any free port
+  std::string exercise;               ///< name or path; empty for none
+  std::string goals;                  ///< file of the goals that the overview shows; empty for none
+  std::string exercise_title;         ///< title for these goals; empty if there is none
+  std::size_t cells = 0;              ///< 0 for one, with the name main
   std::vector<CellChoice> cell_choices;  ///< those of --cell and of the roster
   std::string roster;                    ///< file with the roster; empty for none
   bool is_cell_per_connection = false;

@@ -23,6 +23,11 @@ call::Refused timeout(const monitor::After& after, std::uint64_t bytes_in) {
           "nothing was changed; send the bytes, or allow more time by within_ms"};
 }
 
+call::Refused not_yours(const std::string& fn) {
+  return {"not_yours", "the call " + fn + " needs the token of the server",
+          "the token of one robot suffices for the other calls"};
+}
+
 /// Waits until a line has received bytes. Returns the error, or nullopt.
 asio::awaitable<std::optional<call::Refused>> wait_for_bytes(HostedCell& at, monitor::After after) {
   const Cell& cell = at.cell();
@@ -48,6 +53,8 @@ asio::awaitable<std::optional<call::Refused>> MonitorCalls::wait(CallOf of) {
 }
 
 MonitorCalls::Answer MonitorCalls::carry_out(CallOf of, const call::Call& call) {
+  if (call::traits_of(call).is_for_teachers && of.session.access() != Access::kControl)
+    co_return service::refused(of.id(), not_yours(of.wanted.fn));
   if (may_enlarge(call)) co_return service::carry_out(of.now(), call);
   co_return service::refused(of.id(), {"limit", "the server has allocated more than --max-memory",
                                        "remove blocks, or restart the server"});

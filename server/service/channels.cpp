@@ -24,6 +24,7 @@ void MonitorChannels::carry_out(const CellPtr& at, MonitorSession& session,
   if (!service::subscribe(watched(*at), session.client(), id, wanted)) return;
   at->hub().add(session);
   at->hub().changed();
+  overview_.changed(*at);
 }
 
 void MonitorChannels::follow_overview(MonitorSession& session, const monitor::RequestId& id,
@@ -45,6 +46,7 @@ void MonitorChannels::carry_out(const CellPtr& at, MonitorSession& session,
   } else {
     service::unsubscribe(at->name(), client, id, wanted);
     if (!client.follows(at->name())) at->hub().remove(session);
+    overview_.changed(*at);
   }
 }
 

@@ -32,6 +32,11 @@ monitor::CellSummary summary_of(HostedCell& at) {
   summary.has_recording_failed = cell.counters().recordings_failed > 0;
   summary.last_input_tick = cell.value().last_input_tick;
   summary.epoch = cell.epoch();
+  summary.is_paused = cell.clock().mode() != cell.clock().running_mode();
+  summary.is_frozen = cell.is_frozen();
+  summary.is_coming_back = at.is_absent();
+  summary.viewers = at.hub().sessions().size();
+  at.describe(summary);
   return summary;
 }
 
@@ -195,7 +200,7 @@ monitor::Message Overview::make(std::int64_t since, const MonitorSession* only_g
   std::vector<std::string> closed;
   for (const auto& [version, name] : closed_)
     if (!is_whole && version > since && is_visible(name)) closed.push_back(name);
-  return monitor::overview_message(version_, is_whole, cells, closed);
+  return monitor::overview_message(version_, unix_ms(), is_whole, cells, closed);
 }
 
 monitor::Message Overview::whole(const MonitorSession& session,
@@ -205,7 +210,7 @@ monitor::Message Overview::whole(const MonitorSession& session,
     if (session.access() == Access::kNone && !session.is_granted(each.name)) continue;
     texts.push_back(monitor::text_of(monitor::summary_json(each)));
   }
-  return monitor::overview_message(version_, true, texts, {});
+  return monitor::overview_message(version_, unix_ms(), true, texts, {});
 }
 
 asio::awaitable<std::vector<monitor::CellSummary>> Overview::summaries() {

@@ -1,5 +1,6 @@
 #include "server/service/server_calls.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -20,7 +21,17 @@ asio::awaitable<void> ServerCalls::carry_out(CallOf of, const monitor::ListCells
     if (knows_all && !at->token().empty()) entry["token"] = at->token();
     list.push_back(std::move(entry));
   }
-  of.session.send(monitor::result(of.id(), {{"cells", std::move(list)}}));
+  of.session.send(
+      monitor::result(of.id(), {{"cells", std::move(list)}, {"exercise", exercise_json()}}));
+}
+
+/// The exercise of the first cell that has one; null if none has.
+Json ServerCalls::exercise_json() const {
+  const auto first = std::ranges::find_if(
+      cells_.all(), [](const CellPtr& each) { return each->goals() != nullptr; });
+  if (first == cells_.all().end()) return {};
+  const LiveExercise& exercise = (*first)->goals()->exercise();
+  return {{"title", exercise.title}, {"goals", exercise.sentences}};
 }
 
 asio::awaitable<void> ServerCalls::carry_out(CallOf of, const monitor::Describe& describe) {

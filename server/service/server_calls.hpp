@@ -19,6 +19,8 @@ class ServerCalls {
   static asio::awaitable<void> carry_out(CallOf of, const monitor::Describe& describe);
 
  private:
+  Json exercise_json() const;
+
   CellRegistry& cells_;
   Overview& overview_;
 };

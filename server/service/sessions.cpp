@@ -44,6 +44,9 @@ Access MonitorSessions::first_access() const {
 void MonitorSessions::remove(MonitorSession& session) {
   std::erase(all_, &session);
   overview_.remove(session);
+  for (const CellPtr& each : cells_.all())
+    if (std::ranges::find(session.hubs(), &each->hub()) != session.hubs().end())
+      overview_.changed(*each);
   while (!session.hubs().empty()) session.hubs().back()->remove(session);
   merge(removed_, session.client().channel_stats());
   for (const auto& [name, line] : session.own_lines()) {

@@ -1,4 +1,5 @@
-// The calls on the machine: `home`, `key`, `device_stop`, `mirror_align` and `input`.
+// The calls on the machine and on those who look at it: `home`, `key`, `device_stop`,
+// `mirror_align`, `input` and `notice`.
 #include <utility>
 #include <vector>
 
@@ -83,6 +84,12 @@ CallValue read_input(ArgsReader& args) {
 
 Json write_input(const call::SetInput& set) { return {{"input", set.input}, {"value", set.value}}; }
 
+CallValue read_notice(ArgsReader& args) {
+  return call::SayNotice{args.coded("text", data::text(1, call::SayNotice::kMaxText)).value_or("")};
+}
+
+Json write_notice(const call::SayNotice& notice) { return {{"text", notice.text}}; }
+
 constexpr CallForm kMachineCalls[] = {
     {"home", "Moves the robot to its soft home, as A$ does.", read_nothing<call::Home>,
      write_nothing<call::Home>},
@@ -93,6 +100,8 @@ constexpr CallForm kMachineCalls[] = {
     {"mirror_align", "Moves the simulation to its soft home, where the physical arm has been put.",
      read_nothing<call::AlignMirror>, write_nothing<call::AlignMirror>},
     {"input", "Sets an input line high or low.", read_input, write_as<call::SetInput, write_input>},
+    {"notice", "Shows a text on the pages of the robot, for its student.", read_notice,
+     write_as<call::SayNotice, write_notice>},
 };
 
 }  // namespace

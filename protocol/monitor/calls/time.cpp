@@ -1,4 +1,5 @@
-// The calls on simulated time: `pause`, `resume`, `rate`, `step`, `run_until` and `reset`.
+// The calls on simulated time: `pause`, `resume`, `freeze`, `unfreeze`, `rate`, `step`, `run_until`
+// and `reset`.
 #include <cmath>
 
 #include "protocol/monitor/calls/form.hpp"
@@ -43,6 +44,10 @@ constexpr CallForm kTimeCalls[] = {
      write_nothing<call::Pause>},
     {"resume", "Makes simulated time follow the wall clock, or the byte clock, again.",
      read_nothing<call::Resume>, write_nothing<call::Resume>},
+    {"freeze", "Stops simulated time until unfreeze; replies then leave after 4 seconds.",
+     read_nothing<call::Freeze>, write_nothing<call::Freeze>},
+    {"unfreeze", "Lets simulated time pass again as before freeze.", read_nothing<call::Unfreeze>,
+     write_nothing<call::Unfreeze>},
     {"rate", "Sets the number of simulated seconds per second.", read_rate,
      write_as<call::SetRate, write_rate>},
     {"step", "Advances simulated time by a number of ticks; not with a real clock.", read_step,

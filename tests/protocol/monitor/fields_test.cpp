@@ -63,6 +63,7 @@ TEST(MonitorFields, EventsHaveTheFieldsOfAllKinds) {
       DeviceNote{},
       CellOpenedNote{"c1"},
       CellClosedNote{"c1"},
+      NoticeNote{"Save your work"},
       RecordingNote{},
       ContinuedNote{},
   };

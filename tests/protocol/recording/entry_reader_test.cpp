@@ -65,6 +65,7 @@ std::vector<call::Call> all_calls() {
       Home{},
       SetInput{8, true},
       SetInput{1, false},
+      SayNotice{"Save your \"work\"\n\xc3\xa9"},
       AddBlock{{"a \"block\"", {12'345, 1, 999'999}, {-1, 2, 33'333}, 89'999'999, 3}},
       MoveBlock{"x", PointUm{1, -2, 3}, std::nullopt},
       MoveBlock{"x", std::nullopt, -179'999'999},

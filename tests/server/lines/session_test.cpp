@@ -99,6 +99,27 @@ TEST_F(LineSessionTest, FinishSendsTheRepliesAndReadsNoMore) {
   EXPECT_FALSE(stream_->is_done()) << "the last bytes are not read";
 }
 
+TEST_F(LineSessionTest, TheRepliesOfAFrozenCellWait) {
+  cell_.apply(Input{call::Call{call::Freeze{}}}, 0);
+  open({reads("E?"), accepts(" "), reads("E?"), accepts(" ")});
+  EXPECT_EQ(turn(), Turn::kBlocked);
+  EXPECT_EQ(held_bytes(), 1U);
+  EXPECT_EQ(turn(), Turn::kBlocked) << "further bytes are not read";
+  cell_.apply(Input{call::Call{call::Unfreeze{}}}, 0);
+  EXPECT_EQ(turn(), Turn::kDrained);
+  EXPECT_EQ(turn(), Turn::kDrained);
+  EXPECT_TRUE(stream_->is_done());
+}
+
+TEST_F(LineSessionTest, AFrozenCellEndsWithItsServer) {
+  cell_.apply(Input{call::Call{call::Freeze{}}}, 0);
+  open({reads("E?"), accepts(" ")});
+  EXPECT_EQ(turn(), Turn::kBlocked);
+  session_->finish();
+  EXPECT_EQ(ended_, Reasons{LineCloseReason::kShutdown});
+  EXPECT_TRUE(stream_->is_done());
+}
+
 TEST_F(LineSessionTest, AClosedSessionStaysClosed) {
   open({reads("E?")});
   session_->close(LineCloseReason::kDisconnected);
