@@ -135,8 +135,8 @@ Members<ContinuedState> start_members() {
       optional("us", &ContinuedState::us, whole_number(0, 999)),
       required("model_rev", &ContinuedState::model_rev, whole_number(1, kMaxRevision)),
       required("last_line", &ContinuedState::last_line, integer<LineId>(0, monitor::kMaxInteger)),
-      optional("in_past", &ContinuedState::is_in_past, boolean()),
-      optional("was_manual", &ContinuedState::was_manual, boolean()),
+      optional("past_was_manual", &ContinuedState::past_was_manual, boolean()),
+      optional("freeze_was_manual", &ContinuedState::freeze_was_manual, boolean()),
       required("state", &ContinuedState::saved, saved_cell()),
       optional("snapshots", &ContinuedState::snapshots, list(object(named), 0, kMostSnapshots))};
 }

@@ -39,7 +39,7 @@ void RecordedEnd::open() {
   source_.emplace(path_);
   const recording::Header header = source_->header();
   if (header.device) throw FileError(path_ + ": it is of a physical controller");
-  cell_ = std::make_unique<Cell>(header.cell, header.model, replay_clock(header));
+  cell_ = std::make_unique<Cell>(header.cell, header.model, replay_clock(header), &rings_);
   prepare_replay(*cell_, header);
   const bool has_digests = header.state_format == kStateFormat;
   replayer_.emplace(*cell_, has_digests ? Compared::kAll : Compared::kReplies);

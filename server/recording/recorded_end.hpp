@@ -2,12 +2,15 @@
 // server was killed. It is made piece by piece, for a thread that has other work.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "cell/cell.hpp"
 #include "cell/recording/replayer.hpp"
+#include "protocol/monitor/byte_budget.hpp"
 #include "server/net/wall_clock.hpp"
 #include "server/recording/source.hpp"
 
@@ -17,6 +20,8 @@ class RecordedEnd {
  public:
   /// The time of work after which a recording is given up.
   static constexpr WallNs kMostWork = 300'000'000'000;
+  /// Memory for events and records of lines, of which nothing is kept.
+  static constexpr std::size_t kRingBytes = std::size_t{64} * 1024;
 
   explicit RecordedEnd(std::string path) : path_(std::move(path)) {}
 
@@ -37,6 +42,7 @@ class RecordedEnd {
 
   std::string path_;
   std::optional<RecordingSource> source_;
+  monitor::ByteBudget rings_{kRingBytes};
   std::unique_ptr<Cell> cell_;
   std::optional<Replayer> replayer_;
   WallNs worked_ = 0;
