@@ -47,7 +47,7 @@ class Options(unittest.TestCase):
                 self.wait_for(recordings, f'"in":"E?","out":"{reply}"')
                 xr3.process.kill()
                 xr3.process.wait()
-            file, = recordings.glob("*/c1.xr3rec")
+            file, = recordings.glob("c1/*.xr3rec")
             words = command.split()
             for word, value in ((r".*\.xr3rec", file), (r"9700|9701", "0"), (r"/run/secrets/xr3/token", token)):
                 words = [str(value) if re.fullmatch(word, each) else each for each in words]
@@ -61,7 +61,7 @@ class Options(unittest.TestCase):
 
     def wait_for(self, recordings, text):
         deadline = time.monotonic() + DEADLINE_S
-        while not any(text in path.read_text(encoding="ascii") for path in recordings.glob("*/c1.xr3rec")):
+        while not any(text in path.read_text(encoding="ascii") for path in recordings.glob("c1/*.xr3rec")):
             self.assertLess(time.monotonic(), deadline)
 
     def test_arguments_are_known(self):
