@@ -159,10 +159,12 @@ class Continue(unittest.TestCase):
         options = "--private", "--token-file", token
         with lesson.server(*options) as xr3, xr3.monitor() as monitor:
             monitor.request("auth", token="the teacher's letters")
+            monitor.read()  # hello
             tokens = {cell["name"]: cell["token"] for cell in monitor.call("cells")["cells"]}
             lesson.kill(xr3)
         with lesson.server(*options) as xr3, xr3.monitor() as ada:
             ada.request("auth", token=tokens["ada"])
+            ada.read()  # hello
             self.assertEqual("ada", ada.look("state", cell="ada")["cell"])
             for name in ("bob", "eve"):
                 with self.assertRaises(MonitorError):
