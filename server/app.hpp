@@ -105,7 +105,7 @@ class App {
   RobotPortRules port_rules(std::size_t lines) const;
   void listen_on_cell(HostedCell& cell, std::uint16_t port);
   ServedPorts served_ports() const;
-  void count_more(CellCounters& counters) const;
+  void count_more(CellCounters& counters);
   void after_input(HostedCell& cell);
   void ended();
   bool has_no_clients() const;

@@ -197,7 +197,12 @@ void App::close_cell(const CellPtr& cell) {
   asio::post(io_, [cell] {});
 }
 
-void App::count_more(CellCounters& counters) const {
+void App::count_more(CellCounters& counters) {
+  counters.lines_max = limits_.lines;
+  counters.allocated_bytes = allocated_bytes();
+  counters.allocated_max = memory_.max_bytes();
+  if (!options_.record.empty())
+    counters.recording_room = record_room_.left(options_.record, wall_now());
   if (!connection_cells_) return;
   counters.robot_port.refused += connection_cells_->refused();
   counters.robot_port.accept_failures += connection_cells_->accept_failures();

@@ -8,14 +8,14 @@ import { createHash } from "node:crypto";
 import { join, relative, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 
-const kMaxBundleBytes = 850_000;
+const kMaxBundleBytes = 880_000;
 // A static host sends no policy: the page brings its own, which its worker inherits. `wasm-unsafe-eval` compiles
 // WebAssembly; scripts from texts stay forbidden.
 const kPolicy = "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self' blob:; img-src 'self' data: blob:; font-src 'none'; object-src 'none'; base-uri 'self'; form-action 'none'";
 
 const kNotice = `xr3 is under the licence MIT. This folder also has, each under its own licence:
 
-three.js, uPlot, CodeMirror   MIT: assets/*-license.txt
+three.js, uPlot, uqr, CodeMirror   MIT: assets/*-license.txt
 ${`Pyodide ${JSON.parse(await readFile(new URL("node_modules/pyodide/package.json", import.meta.url), "utf8")).version}`.padEnd(30)}Mozilla Public License 2.0: licences/pyodide.txt. It is unchanged; its source is at https://github.com/pyodide/pyodide
 CPython, in Pyodide           Python Software Foundation License, with those of the libraries in it, such as expat, libffi, libmpdec
                               and zlib: licences/cpython.txt. Pyodide also has bzip2, liblzma and SQLite.
@@ -118,7 +118,7 @@ await build({
 const html = await readFile(path("src/index.html"), "utf8");
 await writeFile(join(out, "index.html"), isHere ? forHere(html) : html);
 await copyFile(path("src/icon.svg"), join(out, "assets/icon.svg"));
-for (const library of ["three", "uplot"])
+for (const library of ["three", "uplot", "uqr"])
   await copyFile(path(`node_modules/${library}/LICENSE`), join(out, `assets/${library}-license.txt`));
 
 if (isHere) {

@@ -272,7 +272,7 @@ class Release(unittest.TestCase):
         self.assertEqual("SPDX-2.3", document["spdxVersion"])
         names = {each["name"]: each for each in document["packages"]}
         self.assertLessEqual({"xr3", "libgcc-s1", "libstdc++6", "libboost1.81-dev", "nettle-dev", "three", "uplot",
-                              "mkdocs-material", "pyodide", "cpython", "codemirror"},
+                              "uqr", "mkdocs-material", "pyodide", "cpython", "codemirror"},
                              set(names))
         self.assertEqual(NEXT, names["xr3"]["versionInfo"])
         self.assertTrue(all(each["versionInfo"] and each["licenseDeclared"] for each in names.values()))

@@ -8,7 +8,8 @@ import { Help } from "./app/help.js";
 import { RobotMenu } from "./app/robot_menu.js";
 import { connectKeys } from "./app/keys.js";
 import { OldDrawer } from "./app/old_drawer.js";
-import { clockText, statusOf } from "./app/status.js";
+import { Notices } from "./app/notices.js";
+import { clockText, kFrozen, statusOf } from "./app/status.js";
 import { countsOf } from "./lib/drive.js";
 import { handOf } from "./lib/hand.js";
 import { FirstSteps } from "./stage/first_steps.js";
@@ -59,6 +60,7 @@ import { WorkcellPanel } from "./workcell/workcell_panel.js";
 
 const kComputing = "The program computes, and nothing else reaches the robot until it asks, waits or prints. Stop ends it.";
 const kBlocked = "A program runs, and the page cannot reach the robot meanwhile: load the page again, or use Chrome or Edge 137, or Firefox 153.";
+const kOfTime = "#pause, #step, #rate";
 const kTouchMm = 0.5; // the tip may touch the table
 const known = {}; // the newest hello, model, state and display, the arrival time of the state, and the state of the past that is shown
 
@@ -166,6 +168,7 @@ const run = (name) => menu.run(name);
 const old = new OldDrawer({ paper, call, run, follow: (options) => connection.follow("display", options) });
 new StageTools(scene);
 byId("solid").addEventListener("dblclick", () => byId("show-all").click());
+const notices = new Notices(byId("notices"));
 const status = new StatusView((act) => kActs[act]());
 const kActs = {
   retry: () => connection.retry(), live: () => rewind.past.live(), resume: () => call("resume"), enable: () => run("enabled"), home: () => call("home"),
@@ -285,6 +288,12 @@ function takeHello(hello) {
   else if (before) wire.reconnected(isSooner(hello, before)); // then the server has been restarted
   rewind.reconnected();
   recallWire();
+  recallNotices();
+}
+
+/** Notices that were shown before this page was there. */
+async function recallNotices() {
+  if (!isHere) notices.recall(await connection.recall("event").catch(() => []), known.hello);
 }
 
 /** The token has shown that there are many cells, or another server is there now. */
@@ -322,6 +331,7 @@ function takeResult({ error }) {
 
 function readAgain() {
   recallWire(); // before new `line` messages arrive
+  recallNotices();
   lines.show();
   connection.renew();
 }
@@ -351,6 +361,7 @@ function takeState(state) {
   known.arrival = performance.now();
   hands.setState(state);
   if (known.model) for (const panel of [...views, plots]) panel.setState(state);
+  lock.set("frozen", state.clock.frozen ? `${kFrozen} It goes on by itself.` : null, { only: kOfTime });
   for (const panel of [timeBar, digitalLines, device]) panel.setState(state);
   rewind.setPresent(state);
   menu.show();
@@ -398,6 +409,7 @@ function takeEvent(event) {
   plots.note(event);
   rewind.note(event);
   if (event.event === "epoch") scene.clearPath();
+  if (event.event === "notice") notices.take(event);
   if (event.event === "homed" || event.event === "epoch") scene.jump();
   if (event.event === "homed") messages.forget(); // what was refused there is past
   if (event.code === "below_surface") showMessage("The tip is below the table. A real arm would hit it.");
@@ -417,8 +429,9 @@ function contestAfter(contest, { event, line, other_line, joint }) {
 }
 
 // The event arrives before the next state and has the tick at which the new speed took effect.
-function takeClock({ clock, tick }) {
-  known.state = { ...known.state, clock, tick };
+function takeClock({ code, clock, tick }) {
+  const frozen = code === "freeze" || (code !== "unfreeze" && known.state.clock.frozen);
+  known.state = { ...known.state, clock: { ...clock, ...(frozen && { frozen }) }, tick };
   known.arrival = performance.now();
   timeBar.setState(known.state);
   rewind.setPresent(known.state);

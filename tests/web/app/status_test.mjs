@@ -46,6 +46,12 @@ test("each status that stops the robot has one sentence and one action", () => {
   }
 });
 
+test("a frozen robot waits for the teacher: there is no button", () => {
+  const frozen = statusOf(situation({}, { clock: { mode: "manual", frozen: true }, stalled: "work_surface", joints: [motor("F", 5)] }));
+  assert.deepEqual([frozen.kind, frozen.word, say(frozen), frozen.action], ["paused", "Frozen", "Your teacher has stopped time. It goes on by itself.", undefined]);
+  assert.equal(statusOf(situation({ place: { epoch: 0, tick: 1 } }, { clock: { mode: "manual", frozen: true } })).kind, "past");
+});
+
 test("if several hold, the one that explains most wins", () => {
   const all = situation({ connection: "lost", place: { epoch: 0, tick: 1 }, contest: { lines: [1, 2], joint: "base" } },
     { enabled: false, stalled: "work_surface", clock: { mode: "manual" } });

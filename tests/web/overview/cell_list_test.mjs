@@ -2,57 +2,82 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { CellList, notesOf, peerText } from "../../../clients/web/src/overview/cell_list.js";
+import { cellStatus } from "../../../clients/web/src/overview/cell_status.js";
+import { cellNamed } from "./class.mjs";
 import { cellOfPath, isOverview, pathOfCell } from "../../../clients/web/src/lib/place.js";
 
-const cell = (name, change = {}) => ({ name, robot: "Rhino XR-3", robot_port: 9701, lines: 0, peer: null, moving: false, stalled: null, holding: null, recording_failed: false, last_input_tick: null, epoch: 0, tick: 0, joints: [], tool: 0, ...change });
+const kNow = Date.now();
+const cell = (name, change = {}) => cellNamed(name, { robot_port: 9701, lines: 0, peer: null, last_input_at: kNow, ...change });
 const listOf = (...cells) => {
   const list = new CellList();
-  list.take({ whole: true, cells, closed: [] });
+  list.take({ whole: true, now: kNow, cells, closed: [] });
   return list;
 };
+const names = (list, wanted = {}) => list.names({ now: kNow, ...wanted });
+const kFinished = { goals: [true, true], points: [3, 3] };
 
 test("a whole message replaces what was known, a further one adds to it", () => {
   const list = listOf(cell("1"), cell("2"));
-  assert.deepEqual(list.take({ whole: false, cells: [cell("2", { moving: true }), cell("3")], closed: ["1"] }), { changed: ["2", "3"], gone: ["1"] });
-  assert.deepEqual(list.names("", "name"), ["2", "3"]);
+  assert.deepEqual(list.take({ whole: false, now: kNow, cells: [cell("2", { moving: true }), cell("3")], closed: ["1"] }), { changed: ["2", "3"], gone: ["1"] });
+  assert.deepEqual(names(list), ["2", "3"]);
   assert.ok(list.get("2").moving);
-  assert.deepEqual(list.take({ whole: true, cells: [cell("9")], closed: [] }).gone, ["2", "3"]);
+  assert.deepEqual(list.take({ whole: true, now: kNow, cells: [cell("9")], closed: [] }).gone, ["2", "3"]);
 });
 
 test("a cell that closed and opened again stays", () =>
-  assert.deepEqual(listOf(cell("1")).take({ whole: false, cells: [cell("1")], closed: ["1"] }), { changed: ["1"], gone: [] }));
+  assert.deepEqual(listOf(cell("1")).take({ whole: false, now: kNow, cells: [cell("1")], closed: ["1"] }), { changed: ["1"], gone: [] }));
 
-test("names are sorted as numbers are", () => assert.deepEqual(listOf(cell("10"), cell("9"), cell("a2"), cell("a10")).names("", "name"), ["9", "10", "a2", "a10"]));
+test("names are sorted as numbers are", () => assert.deepEqual(names(listOf(cell("10"), cell("9"), cell("a2"), cell("a10"))), ["9", "10", "a2", "a10"]));
 
-test("by activity: stalled, moving, then what changed last", () => {
-  const list = listOf(cell("a"), cell("b"), cell("c"), cell("d"));
-  list.take({ whole: false, cells: [cell("d", { moving: true }), cell("b", { stalled: "protected_region" })], closed: [] });
-  list.take({ whole: false, cells: [cell("c", { tick: 1 })], closed: [] });
-  assert.deepEqual(list.names("", "activity"), ["b", "d", "c", "a"]);
+test("by need: the most urgent first, of equal ones who has waited longest, and those that have finished last", () => {
+  const ago = (seconds) => kNow - seconds * 1000;
+  const list = listOf(cell("done", kFinished), cell("b"), cell("a"), cell("silent", { last_input_at: ago(400) }), cell("longer", { last_input_at: ago(500) }),
+    cell("stalled", { stalled: "work_surface", stalled_at: ago(5) }), cell("stalled-longer", { stalled: "work_surface", stalled_at: ago(50) }));
+  assert.deepEqual(names(list, { order: "need" }), ["stalled-longer", "stalled", "longer", "silent", "a", "b", "done"]);
+  assert.deepEqual(names(list, { order: "need", now: kNow + 300_000 }).slice(0, 5), ["stalled-longer", "stalled", "longer", "silent", "a"], "time alone changes it");
 });
 
-test("by activity from the start: stalled, moving, then by the last input", () => {
-  const list = listOf(cell("a"), cell("b", { last_input_tick: 5 }), cell("c", { last_input_tick: 900 }), cell("d", { moving: true }), cell("e", { stalled: "work_surface" }));
-  assert.deepEqual(list.names("", "activity"), ["e", "d", "c", "b", "a"]);
-  list.take({ whole: false, cells: [cell("b", { last_input_tick: 6 })], closed: [] });
-  assert.deepEqual(list.names("", "activity"), ["e", "d", "b", "c", "a"]);
+test("by goals: those that have met the fewest first", () => {
+  const list = listOf(cell("a", kFinished), cell("b", { goals: [false, false] }), cell("c", { goals: [true, false] }), cell("d", { goals: [false, false] }));
+  assert.deepEqual(names(list, { order: "goals" }), ["b", "d", "c", "a"]);
 });
 
-test("every word of a search must be found, in name, robot, peer or state", () => {
-  const list = listOf(cell("anna", { moving: true }), cell("berta", { lines: 1, peer: "10.0.0.7:4000", moving: true }), cell("carl", { holding: "red" }));
-  assert.deepEqual(list.names("moving", "name"), ["anna", "berta"]);
-  assert.deepEqual(list.names("MOVING 10.0.0.7", "name"), ["berta"]);
-  assert.deepEqual(list.names("holds red", "name"), ["carl"]);
-  assert.deepEqual(list.names("moving red", "name"), []);
-  assert.deepEqual(list.names("ready", "name"), ["carl"]);
+test("a filter has those that need help or are silent, or those that have finished", () => {
+  const list = listOf(cell("a", kFinished), cell("b"), cell("c", { stalled: "work_surface" }), cell("d", { last_input_at: kNow - 400_000 }));
+  assert.deepEqual(names(list, { filter: "help" }), ["c", "d"]);
+  assert.deepEqual(names(list, { filter: "done" }), ["a"]);
+  assert.deepEqual(list.totals(kNow), { all: 4, help: 1, silent: 1, done: 1, none: 1 });
 });
 
-test("totals count each kind", () =>
-  assert.deepEqual(listOf(cell("1", { moving: true }), cell("2", { stalled: "work_surface", lines: 2 }), cell("3", { holding: "red" })).totals(),
-    { all: 3, moving: 1, stalled: 1, holding: 1, connected: 1 }));
+test("how long a robot is paused is known only if this page has seen it begin", () => {
+  const list = listOf(cell("a", { paused: true }), cell("b"));
+  list.take({ whole: false, now: kNow + 1000, cells: [cell("a", { paused: true }), cell("b", { paused: true })], closed: [] });
+  list.take({ whole: true, now: kNow + 9000, cells: [cell("a", { paused: true }), cell("b", { paused: true })], closed: [] });
+  assert.deepEqual(["a", "b"].map((name) => list.get(name).pausedSince), [null, kNow + 1000]);
+  list.take({ whole: false, now: kNow + 10_000, cells: [cell("a"), cell("b", { paused: true })], closed: [] });
+  list.take({ whole: false, now: kNow + 11_000, cells: [cell("a", { paused: true })], closed: [] });
+  assert.equal(list.get("a").pausedSince, kNow + 11_000);
+});
+
+test("every word of a search must be found, in name, robot, peer, state or need", () => {
+  const list = listOf(cell("anna", { moving: true }), cell("berta", { lines: 1, peer: "10.0.0.7:4000", moving: true }), cell("carl", { holding: "red" }), cell("dora", { last_input_at: kNow - 400_000 }));
+  const found = (search) => names(list, { search });
+  assert.deepEqual(found("moving"), ["anna", "berta"]);
+  assert.deepEqual(found("MOVING 10.0.0.7"), ["berta"]);
+  assert.deepEqual(found("holds red"), ["carl"]);
+  assert.deepEqual(found("moving red"), []);
+  assert.deepEqual(found("ready"), ["carl", "dora"]);
+  assert.deepEqual(found("silent for"), ["dora"]);
+});
+
+test("the status of a cell is that of its arm, unless time stands", () => {
+  const word = (change) => cellStatus(cell("1", change)).word;
+  assert.deepEqual([{}, { moving: true }, { paused: true }, { paused: true, stalled: "work_surface" }, { paused: true, frozen: true, stalled: "work_surface" }, { coming_back: true }].map(word),
+    ["Ready", "Moving", "Paused", "Stalled", "Frozen", "Coming back"]);
+});
 
 test("texts of a card", () => {
-  assert.deepEqual(notesOf(cell("1", { stalled: "protected_region", holding: "red" })), ["The tip would enter the space around the base.", "Holds red."]);
+  assert.deepEqual(notesOf(cell("1", { holding: "red" })), ["Holds red."]);
   assert.deepEqual(notesOf(cell("1", { moving: true })), []);
   assert.deepEqual(notesOf(cell("1", { holding: "red", recording_failed: true })), ["Recording ended.", "Holds red."]);
   assert.equal(peerText({ lines: 0, peer: null }), "nobody connected");

@@ -133,3 +133,33 @@ test("the teacher's token opens the overview, with a link for each student", () 
     await page.goto(server.url);
     await page.waitForSelector(".card");
   }, kToken));
+
+test("a teacher freezes one robot of the class, sends a message, and lets it continue", () =>
+  withServer(["--cells", "3"], "", async (page, server) => {
+    const student = await open(`${server.url}cell/2`);
+    await ready(student);
+    await page.waitForFunction(() => window.xr3.overview.list.get("2").viewers > 0);
+    await page.click(".card[data-cell='2'] .choose input");
+    await page.click("#overview-freeze");
+    await page.waitForSelector(".card[data-cell='2'] .chip:has-text('Frozen')");
+    await student.waitForSelector("#status:has-text('Frozen')");
+    await page.click("#overview-notice");
+    await page.fill("#notice-text", "Please stop.");
+    await page.click("#ask-notice button[value=ok]");
+    await student.waitForSelector("#notices:has-text('Please stop.')");
+    await page.click("#overview-unfreeze");
+    await student.waitForSelector("#status[data-kind=ready]");
+    assert.equal(await page.locator(".card .chip:has-text('Frozen')").count(), 0);
+    await student.context().close();
+  }));
+
+test("the overview shows from the server’s own messages who needs help", () =>
+  withServer(["--cells", "3", "--exercise", "stack"], "", async (page, server) => {
+    await page.waitForSelector(".card");
+    assert.match(await page.textContent(".card[data-cell='1'] .why"), /^Nobody has opened this robot yet\.$/);
+    await type(await portOf(server, "2"), "E+300\rE+300\rE+300\r");
+    await page.waitForSelector(".card[data-cell='2'][data-need=help] .why:has-text('The same warning 3 times:')");
+    await page.waitForSelector(".card[data-cell='2'] .last:has-text('E+300 ×3 ')");
+    await page.waitForSelector("#overview-filter [data-filter=help]:text-is('Needs help 3')");
+    assert.match(await page.textContent(".card[data-cell='2'] .met"), /^\d of \d+$/);
+  }));

@@ -1,4 +1,4 @@
-// The overview in Chromium, with a monitor played by the test: cards, search, order, and pictures only where seen.
+// The overview in Chromium, with a monitor played by the test: cards, search, order, filter, and pictures only where seen.
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
 import { close, ofThePage, open, serve } from "../bench.mjs";
@@ -10,12 +10,13 @@ after(async () => {
   await close();
 });
 
-/** Runs `act(page, played)` on an overview of these cells. */
-async function withClass(cells, act, options = {}) {
+/** Runs `act(page, played)` on an overview of these cells; with `isTimed`, the test can let time pass. */
+async function withClass(cells, act, { isTimed = false, ...options } = {}) {
   server ??= await serve();
   let played;
   const page = await open("about:blank");
   try {
+    if (isTimed) await page.clock.install();
     played = await playClass(page, server, cells, options);
     await page.goto(server.url);
     await page.waitForSelector("#overview:not([hidden])");
@@ -34,16 +35,28 @@ const drawn = (page, name) => page.waitForFunction((cell) => {
   return canvas && new Set(canvas.getContext("2d", { willReadFrequently: true }).getImageData(0, 0, canvas.width, canvas.height).data).size > 8;
 }, name);
 
-test("a card shows name, peer and state, links to its cell, and its picture follows the robot", () =>
-  withClass([cellNamed("1"), cellNamed("2", { moving: true, holding: "red" }), cellNamed("3", { stalled: "protected_region", lines: 0, peer: null })], async (page, played) => {
+const kAgo = 16_000;
+const kGoals = { goals: [true, true, false, false, false], points: [4, 12] };
+
+test("a card shows name, state, need, goals and last command, links to its cell, and its picture follows the robot", () =>
+  withClass([
+    cellNamed("1", { ...kGoals, last_command: { text: "E?", count: 31, has_reply: true }, last_input_at: Date.now() - kAgo }), cellNamed("2", { moving: true, holding: "red" }),
+    cellNamed("3", { stalled: "protected_region", stalled_at: Date.now() - 100_000, lines: 0, peer: null, robot_port: 9703 }),
+  ], async (page, played) => {
     await drawn(page, "1");
     assert.equal(await page.getAttribute(".card[data-cell='2'] a", "href"), "/cell/2");
-    const texts = (name) => page.$$eval(`.card[data-cell="${name}"] :is(.title, .chip, p, .robot)`, (parts) => parts.map((part) => part.textContent));
+    const texts = (name) => page.$$eval(`.card[data-cell="${name}"] :is(.title, .chip, p)`, (parts) => parts.map((part) => part.textContent).filter(Boolean));
     assert.deepEqual(await texts("2"), ["2", "Moving", "Holds red.", "10.0.0.2:40000", "Rhino XR-3"]);
-    assert.deepEqual((await texts("3")).slice(1, 4), ["Stalled", "The tip would enter the space around the base.", "nobody connected"]);
-    assert.deepEqual(await page.$$eval(".card .chip use", (signs) => signs.map((sign) => sign.getAttribute("href"))), ["#i-alarm", "#i-moving", "#i-dot"]);
-    assert.deepEqual(await page.locator(".bar .chip:visible").allTextContents(), ["1 stalled", "1 moving"]);
-    assert.equal(await page.textContent("#overview-totals"), "3 robots, 1 holding a block, 2 with a program");
+    const stalled = await texts("3");
+    assert.match(stalled[2], /^Stalled for 1:4\d\. The tip would enter the space around the base\.$/);
+    assert.deepEqual([stalled[1], ...stalled.slice(3)], ["Stalled", "nobody connected", "Port 9703, Rhino XR-3"]);
+    assert.deepEqual(await page.$$eval(".card .chip use", (signs) => signs.map((sign) => sign.getAttribute("href"))), ["#i-alarm", "#i-dot", "#i-moving"]);
+    assert.deepEqual(await page.$$eval(".card[data-cell='1'] .dots i", (dots) => dots.map(({ className }) => className)), ["is-met", "is-met", "", "", ""]);
+    assert.equal(await page.textContent(".card[data-cell='1'] .met"), "2 of 5");
+    assert.match(await page.textContent(".card[data-cell='1'] .last"), /^E\? ×31 1\d s ago$/);
+    assert.deepEqual(await page.$$eval(".card", (cards) => cards.map(({ dataset }) => dataset.need)), ["help", "none", "none"]);
+    assert.deepEqual(await page.locator(".bar .chip:visible").allTextContents(), ["1 needs help"]);
+    assert.equal(await page.textContent("#robot-name"), "Thursday");
     const picture = () => page.$eval(".card[data-cell='1'] canvas", (canvas) => canvas.toDataURL());
     const before = await picture();
     played.send([cellNamed("1", { moving: true, joints: [60, -70, 90, 0, -90] })]);
@@ -53,37 +66,66 @@ test("a card shows name, peer and state, links to its cell, and its picture foll
     played.send([cellNamed("3", { recording_failed: true })]);
     await page.waitForSelector(".card[data-cell='3'] p:has-text('Recording ended.')");
     assert.deepEqual((await texts("3")).slice(1, 3), ["Ready", "Recording ended."]);
-    assert.deepEqual(await page.locator(".bar .chip:visible").allTextContents(), ["2 moving"]);
-  }));
+    assert.equal(await page.locator(".bar .chip:visible").count(), 0);
+  }, { exercise: { title: "Thursday", goals: ["a", "b", "c", "d", "e"] } }));
 
-test("search and order choose the cards; opened and closed cells come and go", () =>
-  withClass([cellNamed("a"), cellNamed("b"), cellNamed("c", { moving: true })], async (page, played) => {
+test("time passes on the cards without a message: ages, reasons, numbers and order", () =>
+  withClass([cellNamed("1"), cellNamed("2", { last_input_at: Date.now() - kAgo, last_command: { text: "E+50", count: 1, has_reply: true } })], async (page) => {
+    await page.waitForSelector(".card[data-cell='2'] .last:has-text('E+50 1')");
+    assert.deepEqual(await shown(page), ["1", "2"]);
+    await page.clock.fastForward(170_000);
+    await page.waitForSelector(".card[data-cell='2'][data-need=silent] .why:has-text('Silent for 3 minutes.')");
+    assert.match(await page.textContent(".card[data-cell='1'] .last"), /^E\? 2 min ago$/);
+    assert.deepEqual(await page.locator(".bar .chip:visible").allTextContents(), ["1 silent"]);
+    assert.equal(await page.textContent("#overview-filter [data-filter=help]"), "Needs help 1");
+    await page.waitForFunction(() => document.querySelector(".card").dataset.cell === "2");
+  }, { isTimed: true }));
+
+test("search, order and filter choose the cards; opened and closed cells come and go", () =>
+  withClass([cellNamed("a", { goals: [true, true] }), cellNamed("b", { goals: [true, false] }), cellNamed("c", { moving: true, goals: [false, false], last_warning: { text: "no", at: Date.now(), count: 3 } })], async (page, played) => {
     await page.waitForSelector(".card");
-    assert.deepEqual(await shown(page), ["c", "a", "b"]);
+    assert.deepEqual(await shown(page), ["c", "b", "a"]);
     await page.click("#overview-order [data-order=name]");
     assert.deepEqual(await shown(page), ["a", "b", "c"]);
+    await page.keyboard.press("ArrowRight");
+    assert.deepEqual(await shown(page), ["c", "b", "a"], "by goals");
+    assert.deepEqual(await page.locator("#overview-filter button:visible").allTextContents(), ["All 3", "Needs help 1", "Finished 1"]);
+    await page.click("#overview-filter [data-filter=help]");
+    assert.deepEqual(await shown(page), ["c"]);
+    await page.click("#overview-filter [data-filter=done]");
+    assert.deepEqual(await shown(page), ["a"]);
+    await page.click("#overview-filter [data-filter=all]");
     await page.fill("#overview-search", "moving");
     assert.deepEqual(await shown(page), ["c"]);
-    assert.match(await page.textContent("#overview-totals"), /^1 of 3 robots/);
-    await page.fill("#overview-search", "nobody");
+    await page.fill("#overview-search", "nobody has this name");
     await page.waitForSelector("#overview-empty:has-text('No robot matches the search.')");
     await page.fill("#overview-search", "");
     assert.ok(await page.isHidden("#overview-empty"));
+    await page.click("#overview-order [data-order=name]");
     played.send([cellNamed("d")], ["a"]);
     await page.waitForSelector(".card[data-cell='d']");
     assert.deepEqual(await shown(page), ["b", "c", "d"]);
+    await page.click("#overview-filter [data-filter=done]");
+    await page.waitForSelector("#overview-empty:has-text('Nobody has finished yet.')");
   }));
 
-test("by activity, cards change places, but not under the pointer or the focus", () =>
+test("without goals there is no order by goals, and nobody has finished", () =>
+  withClass(many(2), async (page) => {
+    await page.waitForSelector(".card");
+    assert.ok(await page.isHidden("[data-order=goals]") && await page.isHidden("[data-filter=done]"));
+    assert.equal(await page.textContent("#robot-name"), "All robots");
+  }));
+
+test("by need, cards change places, but not under the pointer or the focus", () =>
   withClass(many(5), async (page, played) => {
     await page.focus(".card[data-cell='1'] a");
     played.send([cellNamed("4", { stalled: "protected_region" })]);
     await page.waitForSelector(".card[data-kind=stalled]");
-    await page.waitForFunction(() => new Promise((resolve) => setTimeout(() => resolve(true), 2300))); // an interval of sorting passes
+    await page.clock.runFor(5000);
     assert.deepEqual(await shown(page), ["1", "2", "3", "4", "5"]);
-    await page.focus("#overview-order [data-order=activity]");
+    await page.focus("#overview-order [data-order=need]");
     await page.waitForFunction(() => document.querySelector(".card").dataset.cell === "4");
-  }));
+  }, { isTimed: true }));
 
 test("only cards on the screen have a canvas and are drawn", () =>
   withClass(many(1000), async (page, played) => {
@@ -103,34 +145,23 @@ test("only cards on the screen have a canvas and are drawn", () =>
     assert.ok((await canvases()) < 150);
   }));
 
-test("a teacher copies a student's link with the page's own host and the token of that cell alone", () =>
-  withClass([cellNamed("1"), cellNamed("2")], async (page) => {
-    const url = server.url.replace("localhost", "127.0.0.1");
-    await page.goto(url);
-    await page.waitForSelector(".card .copy");
-    assert.equal(await page.locator(".card .copy").count(), 1);
-    await page.context().grantPermissions(["clipboard-read", "clipboard-write"]);
-    await page.click(".card[data-cell='2'] .copy");
-    await page.waitForSelector(".copy:has-text('Copied')");
-    assert.equal(await page.evaluate(() => navigator.clipboard.readText()), `${url}cell/2#token=only-for-2%2B`);
-  }, { tokens: { 2: "only-for-2+" } }));
-
 for (const [width, height, columns, fits] of [[1920, 1080, 6, 30], [1366, 768, 5, 15], [390, 844, 1, 3]]) {
   test(`${width} × ${height}: ${columns} cards a row, ${fits} in sight, and no text is cut`, () =>
-    withClass(many(40).map((cell) => ({ ...cell, stalled: "protected_region", holding: "red" })), async (page) => {
+    withClass(many(40).map((cell) => ({ ...cell, ...kGoals, stalled: "protected_region", stalled_at: Date.now() - 100_000, robot_port: 9701 })), async (page) => {
       await page.setViewportSize({ width, height });
       await page.waitForFunction((wanted) => document.querySelector(".cards").children.length === wanted, columns * 4);
       const boxes = await page.$$eval(".card", (cards) => cards.map((card) => card.getBoundingClientRect().toJSON()));
       assert.equal(boxes.filter(({ top }) => top === boxes[0].top).length, columns);
       assert.ok(boxes.filter(({ bottom }) => bottom <= height).length >= fits);
-      const cut = () => [...document.querySelectorAll(".card")].slice(0, 3).flatMap((card) => [...card.querySelectorAll(".chip, .notes p")]
-        .filter((part) => part.getBoundingClientRect().bottom > card.querySelector(".robot").getBoundingClientRect().bottom || part.scrollWidth > part.clientWidth + 1));
+      const cut = () => [...document.querySelectorAll(".card")].slice(0, 3).flatMap((card) => [...card.querySelectorAll(".chip, .why, .met, .last, .title")]
+        .filter((part) => part.getBoundingClientRect().bottom > card.querySelector(".foot").getBoundingClientRect().bottom || part.scrollWidth > part.clientWidth + 1 || part.scrollHeight > part.clientHeight + 1));
       assert.equal(await page.evaluate(`(${cut})().length`), 0);
-    }));
+      assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), width);
+    }, { exercise: { title: "Thursday", goals: [] }, tokens: Object.fromEntries(many(40).map(({ name }) => [name, "t"])) }));
 }
 
 test("names cannot break out of a card", () =>
-  withClass([cellNamed("1", { peer: "<img src=x onerror=alert(1)>", robot: "<b>robot</b>", holding: "<i>" }), cellNamed("2")], async (page) => {
+  withClass([cellNamed("1", { peer: "<img src=x onerror=alert(1)>", robot: "<b>robot</b>", holding: "<i>", last_command: { text: "<b>", count: 1, has_reply: true }, last_warning: { text: "<b>", at: Date.now(), count: 3 } }), cellNamed("2")], async (page) => {
     await page.waitForSelector(".card");
     assert.equal(await page.locator(".card :is(img, b, i)").count(), 0);
   }));

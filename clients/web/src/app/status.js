@@ -13,6 +13,8 @@ import { armStatus, stallText } from "../lib/arm_status.js";
  *   `isComputing`: a program in the page makes no call
  */
 
+/** Why time stands while the teacher has frozen the robot. */
+export const kFrozen = "Your teacher has stopped time.";
 const kQuietS = 1; // without a state, while a motor moves
 
 /** 3:32, or 1:02:05 from an hour on. @param {number} ticks @param {number} hz */
@@ -83,10 +85,13 @@ function fault(state) {
   };
 }
 
+/** @param {any} state @returns {Status | null} */
+const frozen = ({ clock }) => (clock.frozen ? { kind: "paused", word: "Frozen", what: kFrozen, rest: "It goes on by itself." } : null);
+
 /** @param {Situation} now @returns {Status} */
 export function statusOf(now) {
   const { state, contest } = now;
-  const higher = lost(now) ?? past(now) ?? (state ? fault(state) : null);
+  const higher = lost(now) ?? past(now) ?? (state ? frozen(state) ?? fault(state) : null);
   if (higher) return higher;
   if (!state) return { kind: "lost", word: "Connecting" };
   if (now.isComputing) return { kind: "paused", word: "Busy", what: "The program computes:", rest: "time stands, and nothing moves, until it asks the robot, waits or prints. Stop ends it." };

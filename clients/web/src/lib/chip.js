@@ -2,7 +2,7 @@
 // A chip: a status as sign, word and colour.
 import { el, icon, setText } from "./dom.js";
 
-const kIcons = { ready: "dot", moving: "moving", other: "two", paused: "pause", stalled: "alarm", disabled: "off", past: "past", lost: "lost" };
+const kIcons = { ready: "dot", moving: "moving", other: "two", paused: "pause", stalled: "alarm", disabled: "off", past: "past", lost: "lost", help: "alarm", silent: "past", done: "done" };
 /** @typedef {keyof typeof kIcons} Kind */
 
 /** @param {Kind} kind */

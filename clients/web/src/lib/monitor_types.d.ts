@@ -11,11 +11,16 @@ export type Motor = {
 };
 export type State = {
   epoch: number; tick: number; joints: Motor[]; tool: Motor & { xyz_mm: [number, number, number]; holding: string | null };
-  moving: boolean; stalled: string | null; enabled: boolean; clock: { mode: "real" | "manual" | "bytes"; rate: number; past?: boolean };
+  moving: boolean; stalled: string | null; enabled: boolean; clock: { mode: "real" | "manual" | "bytes"; rate: number; past?: boolean; frozen?: boolean };
   device?: { open: boolean; engaged: boolean; path: string }; blocks: any[]; io: any;
 };
-/** A cell in a message of the channel `overview`. */
+/** A cell in a message of the channel `overview`; moments are Unix ms. */
 export type Cell = {
   name: string; robot: string; robot_port: number | null; lines: number; peer: string | null; moving: boolean; stalled: string | null;
   holding: string | null; recording_failed: boolean; last_input_tick: number | null; joints: number[]; tool: number;
+  paused: boolean; frozen: boolean; coming_back: boolean; viewers: number; last_input_at: number | null; stalled_at: number | null;
+  last_command: { text: string; count: number; has_reply: boolean } | null; last_warning: { text: string; at: number; count: number } | null;
+  goals: boolean[] | null; points: [number, number] | null;
 };
+/** A message of the channel `overview`; `now` is the server's time, Unix ms. */
+export type Overview = { whole: boolean; now: number; cells: Cell[]; closed: string[] };

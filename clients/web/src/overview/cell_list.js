@@ -1,52 +1,58 @@
 // @ts-check
-// The cells of the overview: kept up to date by messages of the channel `overview`, searched and sorted.
+// The cells of the overview: kept up to date by messages of the channel `overview`, searched, filtered and sorted.
 // Independent of the page.
-import { armStatus, stallText } from "../lib/arm_status.js";
+import { cellStatus } from "./cell_status.js";
+import { needOf } from "./needs.js";
 
 /**
  * @typedef {import("../lib/monitor_types").Cell} Cell
- * @typedef {Cell & {changed: number}} Known `changed` is the number of the message that changed it last, 0: only the first list had it
- * @typedef {"activity" | "name"} Order
+ * @typedef {import("../lib/monitor_types").Overview} Overview
+ * @typedef {Cell & {pausedSince: number | null}} Known `pausedSince`: the server's time, Unix ms; null if it was paused before this page knew it
+ * @typedef {import("./needs.js").Need} Need
+ * @typedef {"need" | "name" | "goals"} Order
+ * @typedef {"all" | "help" | "done"} Filter
  */
 
 const collator = new Intl.Collator("en", { numeric: true });
-/** @param {Known} a @param {Known} b */
-const byName = (a, b) => collator.compare(a.name, b.name);
-/** The place in the order by activity: stalled robots first, then those that move. @param {Cell} cell */
-const rank = ({ stalled, moving }) => (stalled ? 2 : 0) + (moving ? 1 : 0);
-/** @param {Cell} cell */
-const lastInput = ({ last_input_tick: tick }) => tick ?? -1;
-/** @type {Record<Order, (a: Known, b: Known) => number>} */
+/** @typedef {{cell: Known, need: Need}} Row */
+/** @param {Row} a @param {Row} b */
+const byName = (a, b) => collator.compare(a.cell.name, b.cell.name);
+/** How many goals are met; -1 without an exercise. @param {Cell} cell */
+export const goalsMet = ({ goals }) => goals?.filter(Boolean).length ?? -1;
+/** @type {Record<Order, (a: Row, b: Row) => number>} */
 const kOrders = {
   name: byName,
-  activity: (a, b) => rank(b) - rank(a) || b.changed - a.changed || lastInput(b) - lastInput(a) || byName(a, b),
+  need: (a, b) => a.need.rank - b.need.rank || a.need.since - b.need.since || byName(a, b),
+  goals: (a, b) => goalsMet(a.cell) - goalsMet(b.cell) || byName(a, b),
 };
+/** @param {Need} need */
+const isLacking = ({ kind }) => kind === "help" || kind === "silent";
+/** @type {Record<Filter, (need: Need) => boolean>} */
+const kFilters = { all: () => true, help: isLacking, done: ({ kind }) => kind === "done" };
 
 export class CellList {
   constructor() {
     /** @type {Map<string, Known>} */
     this.cells = new Map();
-    this.messages = 0;
   }
 
   /**
    * Takes a message; returns { changed, gone }: the names of cells that are new or differ, and of those that closed.
-   * @param {{whole: boolean, cells: Cell[], closed: string[]}} message
+   * @param {Overview} message
    */
-  take({ whole, cells, closed }) {
-    ++this.messages;
+  take({ whole, now, cells, closed }) {
     const named = new Set(cells.map(({ name }) => name));
     const gone = [...(whole ? [...this.cells.keys()].filter((name) => !named.has(name)) : []), ...closed.filter((name) => this.cells.has(name) && !named.has(name))];
     for (const name of gone) this.cells.delete(name);
-    for (const cell of cells) this.#put(cell, whole);
+    for (const cell of cells) this.#put(cell, now);
     return { changed: [...named], gone };
   }
 
-  // The list that comes first tells nothing about when the robots were last active: the last input does.
-  /** @param {Cell} cell @param {boolean} isWhole */
-  #put(cell, isWhole) {
+  /** @param {Cell} cell @param {number} now */
+  #put(cell, now) {
     const before = this.cells.get(cell.name);
-    this.cells.set(cell.name, { ...cell, changed: before && isWhole ? before.changed : isWhole ? 0 : this.messages });
+    const pausedSince = before?.paused ? before.pausedSince : before && cell.paused ? now : null;
+    this.cells.set(cell.name, { ...cell, pausedSince });
   }
 
   /** @param {string} name */
@@ -58,31 +64,35 @@ export class CellList {
     return this.cells.size;
   }
 
-  /** The names of the cells that contain every word of the search, in this order. @param {string} search @param {Order} order */
-  names(search, order) {
-    const words = search.toLowerCase().split(/\s+/).filter(Boolean);
-    const found = [...this.cells.values()].filter((cell) => words.every((word) => textOf(cell).includes(word)));
-    return found.sort(kOrders[order]).map(({ name }) => name);
+  /** All names. */
+  get all() {
+    return [...this.cells.keys()];
   }
 
-  /** How many there are of each kind. */
-  totals() {
-    const all = [...this.cells.values()];
-    const count = (/** @type {(cell: Cell) => unknown} */ is) => all.filter(is).length;
-    return { all: all.length, moving: count(({ moving }) => moving), stalled: count(({ stalled }) => stalled), holding: count(({ holding }) => holding !== null), connected: count(({ lines }) => lines > 0) };
+  /**
+   * The names of the cells that contain every word of the search and pass the filter, in this order at this time of the server.
+   * @param {{search?: string, order?: Order, filter?: Filter, now: number}} wanted
+   */
+  names({ search = "", order = "name", filter = "all", now }) {
+    const words = search.toLowerCase().split(/\s+/).filter(Boolean);
+    const rows = [...this.cells.values()].map((cell) => ({ cell, need: needOf(cell, now) }));
+    const found = rows.filter(({ cell, need }) => kFilters[filter](need) && words.every((word) => textOf(cell, need).includes(word)));
+    return found.sort(kOrders[order]).map(({ cell }) => cell.name);
+  }
+
+  /** How many there are of each kind of need. @param {number} now */
+  totals(now) {
+    const totals = { all: this.size, help: 0, silent: 0, done: 0, none: 0 };
+    for (const cell of this.cells.values()) ++totals[needOf(cell, now).kind];
+    return totals;
   }
 }
 
-/** The text in which a search looks. @param {Cell} cell */
-const textOf = (cell) => [cell.name, cell.robot, cell.peer ?? "", cell.robot_port ?? "", armStatus(cell).word, ...notesOf(cell)].join(" ").toLowerCase();
+/** The text in which a search looks. @param {Known} cell @param {Need} need */
+const textOf = (cell, need) => [cell.name, cell.robot, cell.peer ?? "", cell.robot_port ?? "", cellStatus(cell).word, need.why, ...notesOf(cell)].join(" ").toLowerCase();
 
-/** @param {string} text */
-const asSentence = (text) => text[0].toUpperCase() + text.slice(1);
-
-/** Sentences about a robot, beside its status. @param {Cell} cell */
-export const notesOf = ({ stalled, holding, recording_failed: isUnrecorded }) => [
-  ...(stalled ? [asSentence(stallText(stalled))] : []), ...(isUnrecorded ? ["Recording ended."] : []), ...(holding !== null ? [`Holds ${holding}.`] : []),
-];
+/** Sentences about a robot, beside its status and its need. @param {Cell} cell */
+export const notesOf = ({ holding, recording_failed: isUnrecorded }) => [...(isUnrecorded ? ["Recording ended."] : []), ...(holding !== null ? [`Holds ${holding}.`] : [])];
 
 /** Who is connected, as a text for the card. @param {Cell} cell */
 export function peerText({ lines, peer }) {

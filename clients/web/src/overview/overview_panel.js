@@ -1,20 +1,17 @@
 // @ts-check
-// The overview of all cells: cards, a search, an order, totals. Cards lie in groups of a few rows, since a
+// The overview of all cells: their cards, of which some are chosen. Cards lie in groups of a few rows, since a
 // browser follows some dozens of groups on their way across the screen more easily than a thousand cards. Only
 // groups on the screen are drawn and have canvases, which are passed on from those that leave it.
 import { CellList } from "./cell_list.js";
-import { newChip, showChip } from "../lib/chip.js";
-import { byId, el, setText } from "../lib/dom.js";
-import { rove } from "../lib/roving_focus.js";
+import { el, isSame } from "../lib/dom.js";
+import { Choice } from "./choice.js";
+import { OverviewBar } from "./overview_bar.js";
 import { SmallPicture } from "./small_picture.js";
 import { CellCard, newCanvas } from "./cell_card.js";
 
-/**
- * @typedef {import("./cell_list.js").Known} Known
- * @typedef {import("./cell_list.js").Order} Order
- */
+/** @typedef {import("./cell_list.js").Known} Known */
 
-const kSortEveryMs = 2000;
+const kTickMs = 1000;
 const kRows = 4; // of a group
 const kCardRem = { width: 16, gap: 0.5 }; // the least width; the gap as in overview.css
 const kMargin = "200px"; // around the screen, so that pictures are there when they come into sight
@@ -22,17 +19,19 @@ const kMaxSpare = 32;
 
 export class OverviewPanel {
   /**
-   * @param {{host: HTMLElement, chips: HTMLElement, getModel: (cell: string) => Promise<any>, getTokens: () => Promise<Map<string, string>>}} parts
-   *   `chips` is the place of the numbers of stalled and moving robots; `getModel` gets the model of a cell, `getTokens` the tokens
-   *   of the cells by name, both from the server
+   * @param {{host: HTMLElement, chips: HTMLElement, getModel: (cell: string) => Promise<any>, getLink: (name: string, token: string) => Promise<string | null>, onNew: () => void}} parts
+   *   `chips` is the place of the numbers of those that need help; `getModel` gets the model of a cell, `getLink` the link of a student;
+   *   `onNew` is called when cells have come
    */
-  constructor({ host, chips, getModel, getTokens }) {
+  constructor({ host, chips, getModel, getLink, onNew }) {
     this.host = host;
     this.getModel = getModel;
-    this.getTokens = getTokens;
+    this.getLink = getLink;
+    this.onNew = onNew;
     this.list = new CellList();
-    this.chips = { stalled: newChip(), moving: newChip() };
-    chips.append(this.chips.stalled, this.chips.moving);
+    this.serverAhead = 0; // the server's time, Unix ms, minus the page's clock
+    this.bar = new OverviewBar({ chips, onChange: () => this.#arrange() });
+    this.choice = new Choice(() => this.#showChoice());
     /** @type {Map<string, CellCard>} */
     this.cards = new Map();
     /** @type {HTMLElement[]} */
@@ -48,21 +47,21 @@ export class OverviewPanel {
     this.spare = [];
     /** @type {Map<string, string>} */
     this.tokens = new Map();
+    /** @type {string[]} names of the cells with a card, in the order of the cards */
+    this.shown = [];
     this.observer = new IntersectionObserver((entries) => this.#cross(entries), { rootMargin: kMargin });
-    this.#connect();
-    new ResizeObserver(() => this.#columns() !== this.columns && this.#arrange()).observe(host);
-    setInterval(() => this.#sortAgain(), kSortEveryMs);
+    new ResizeObserver(() => this.#columns() !== this.columns && this.#place(this.shown)).observe(host);
+    setInterval(() => this.#tick(), kTickMs);
   }
 
-  #connect() {
-    byId("overview-search").oninput = () => this.#arrange();
-    const orders = /** @type {HTMLElement[]} */ ([...byId("overview-order").children]);
-    const { choose } = rove(orders, (chosen) => {
-      for (const each of orders) each.setAttribute("aria-checked", String(each === chosen));
-      this.order = /** @type {Order} */ (chosen.dataset.order);
-      this.#arrange();
-    });
-    choose(orders[0]);
+  /** The server's time, Unix ms. */
+  get now() {
+    return performance.now() + this.serverAhead;
+  }
+
+  /** The names of the robots that actions mean: those chosen, else all. */
+  get targets() {
+    return this.choice.names.size > 0 ? [...this.choice.names] : this.list.all;
   }
 
   #columns() {
@@ -72,14 +71,16 @@ export class OverviewPanel {
     return Math.max(1, Math.floor((room + kCardRem.gap) / (kCardRem.width + kCardRem.gap)));
   }
 
-  /** Takes a message of the channel `overview`. @param {{whole: boolean, cells: Known[], closed: string[]}} message */
+  /** Takes a message of the channel `overview`. @param {import("./cell_list.js").Overview} message */
   take(message) {
+    this.serverAhead = message.now - performance.now();
     const { changed, gone } = this.list.take(message);
     for (const name of gone) this.#remove(name);
+    this.choice.drop(gone);
     const isNew = changed.filter((name) => !this.cards.has(name));
     for (const name of isNew) this.#add(name);
-    if (isNew.length > 0 || gone.length > 0) this.#arrange();
-    if (isNew.length > 0) this.#askTokens();
+    if (isNew.length > 0 || gone.length > 0 || message.whole) this.#arrange();
+    if (isNew.length > 0) this.onNew();
     for (const name of changed) if (this.seen.has(name)) this.dirty.add(name);
     this.#showTotals();
     this.#schedule();
@@ -87,7 +88,7 @@ export class OverviewPanel {
 
   /** @param {string} name */
   #add(name) {
-    const card = new CellCard(name);
+    const card = new CellCard(name, { onChoose: (...chosen) => this.#choose(...chosen), getLink: this.getLink });
     this.cards.set(name, card);
     card.setToken(this.tokens.get(name));
   }
@@ -147,9 +148,10 @@ export class OverviewPanel {
 
   #draw() {
     this.draws = (this.draws ?? 0) + this.dirty.size;
+    const { now } = this;
     for (const name of this.dirty) {
       const cell = this.list.get(name);
-      this.cards.get(name).show(cell, this.#pictureOf(cell), this.ground);
+      this.cards.get(name).show(cell, this.#pictureOf(cell), this.ground, now);
     }
     this.dirty.clear();
   }
@@ -180,32 +182,60 @@ export class OverviewPanel {
     this.renew();
   }
 
-  async #askTokens() {
-    if (this.isAsking) return;
-    this.isAsking = true;
-    this.tokens = await this.getTokens().catch(() => new Map());
-    this.isAsking = false;
-    for (const [name, card] of this.cards) card.setToken(this.tokens.get(name));
+  /** The tokens of the cells, by name. @param {Map<string, string>} tokens */
+  setTokens(tokens) {
+    this.tokens = tokens;
+    for (const [name, card] of this.cards) card.setToken(tokens.get(name));
   }
 
-  // --- Order and search.
+  // --- Chosen cards.
 
-  // Cards do not move away under a pointer, from the focus, or from somebody who has scrolled.
-  #sortAgain() {
-    const isUsed = this.host.matches(":hover") || this.host.contains(document.activeElement) || this.host.scrollTop > 0;
-    if (this.order === "activity" && !isUsed && !document.hidden) this.#arrange();
+  /** @param {string} name @param {boolean} isChosen @param {boolean} isRange */
+  #choose(name, isChosen, isRange) {
+    if (isRange) this.choice.setRange(name, isChosen, this.shown);
+    else this.choice.set(name, isChosen);
+  }
+
+  /** Chooses all cards that the search and the filter show. */
+  chooseShown() {
+    this.choice.add(this.shown);
+  }
+
+  #showChoice() {
+    for (const [name, card] of this.cards) card.setChosen(this.choice.names.has(name));
+    this.bar.showTargets(this.choice.names.size, this.list.size);
+  }
+
+  // --- Order, search and what passes with time.
+
+  #tick() {
+    if (document.hidden) return;
+    const { now } = this;
+    for (const name of this.seen) this.cards.get(name).tick(now);
+    this.#showTotals();
+    if (!this.#isUsed) this.#arrange();
+  }
+
+  /** Cards do not move away under a pointer, from the focus, or from somebody who has scrolled. */
+  get #isUsed() {
+    return this.host.matches(":hover") || this.host.contains(document.activeElement) || this.host.scrollTop > 0;
   }
 
   #arrange() {
-    const names = this.list.names(byId("overview-search").value, this.order);
+    const names = this.list.names({ ...this.bar.wanted, now: this.now });
+    if (!isSame(names, this.shown) || this.columns === undefined) this.#place(names);
+    this.bar.showEmpty(names.length, this.list.size);
+  }
+
+  /** @param {string[]} names */
+  #place(names) {
+    this.shown = names;
     this.columns = this.#columns();
     this.host.style.setProperty("--columns", String(this.columns));
     const size = this.columns * kRows;
     this.#setGroups(Math.ceil(names.length / size));
     this.groups.forEach((group, i) => this.#fill(group, names.slice(i * size, (i + 1) * size)));
-    this.found = names.length;
     this.#look();
-    this.#showTotals();
   }
 
   /** @param {number} count */
@@ -242,19 +272,8 @@ export class OverviewPanel {
   }
 
   #showTotals() {
-    const { found = 0 } = this;
-    const { all, moving, stalled, holding, connected } = this.list.totals();
-    this.#showCount("stalled", stalled);
-    this.#showCount("moving", moving);
-    const of = found < all ? `${found} of ${all}` : String(all);
-    setText(byId("overview-totals"), `${of} ${all === 1 ? "robot" : "robots"}, ${holding} holding a block, ${connected} with a program`);
-    byId("overview-empty").hidden = found > 0;
-    setText(byId("overview-empty"), all > 0 ? "No robot matches the search." : "There is no robot yet. Each program that connects gets one.");
-  }
-
-  /** @param {"stalled" | "moving"} kind @param {number} count */
-  #showCount(kind, count) {
-    this.chips[kind].hidden = count === 0;
-    showChip(this.chips[kind], { kind, word: `${count} ${kind}` });
+    const all = [...this.list.cells.values()];
+    this.bar.showTotals(this.list.totals(this.now), all.some(({ goals }) => goals !== null));
+    this.bar.showTargets(this.choice.names.size, this.list.size);
   }
 }

@@ -2,22 +2,27 @@
 // Locks the controls that change the robot for as long as there is a reason, which becomes their title: no token, or
 // the page shows the past. An element with `data-call` changes the robot; all other controls are never locked.
 
+/** @typedef {{reason: string, except: string | null, only: string | null}} Reason a selector each: which controls are not concerned, and which alone */
+
+/** @param {Reason} reason @param {Element} control */
+const concerns = ({ except, only }, control) => !(except && control.matches(except)) && (!only || control.matches(only));
+
 export class ControlLock {
   /** @param {{onChange?: () => void}} parts `onChange` is called when a reason comes or goes */
   constructor({ onChange = () => {} } = {}) {
     this.onChange = onChange;
-    /** @type {Map<string, {reason: string, except: string | null}>} by source */
+    /** @type {Map<string, Reason>} by source */
     this.reasons = new Map();
   }
 
   /**
-   * Sets or, with null, removes the reason of a source. Controls that match the selector `except` stay as they are.
-   * @param {string} source @param {string | null} reason @param {{except?: string | null}} options
+   * Sets or, with null, removes the reason of a source. Controls that match the selector `except` stay as they are, and with `only` all that do not match it.
+   * @param {string} source @param {string | null} reason @param {{except?: string | null, only?: string | null}} options
    */
-  set(source, reason, { except = null } = {}) {
+  set(source, reason, { except = null, only = null } = {}) {
     if (this.reasonOf(source) === reason) return;
     this.reasons.delete(source);
-    if (reason !== null) this.reasons.set(source, { reason, except });
+    if (reason !== null) this.reasons.set(source, { reason, except, only });
     this.apply();
     this.onChange();
   }
@@ -27,20 +32,30 @@ export class ControlLock {
     return this.reasons.get(source)?.reason ?? null;
   }
 
-  /** The first reason, or null. */
+  /** The reasons that do not concern certain controls only. */
+  get #general() {
+    return [...this.reasons.values()].filter(({ only }) => !only);
+  }
+
+  /** The first reason for all controls, or null. */
   get reason() {
-    return this.reasons.values().next().value?.reason ?? null;
+    return this.#general[0]?.reason ?? null;
   }
 
   get isFree() {
-    return this.reasons.size === 0;
+    return this.#general.length === 0;
+  }
+
+  /** The first reason that concerns a control, or null. @param {Element} control */
+  reasonOn(control) {
+    return [...this.reasons.values()].find((each) => concerns(each, control))?.reason ?? null;
   }
 
   /** Locks new controls. Controls that are disabled for another reason stay disabled. */
   apply() {
     for (const control of /** @type {NodeListOf<HTMLButtonElement>} */ (document.querySelectorAll("[data-call]"))) {
-      const found = [...this.reasons.values()].find(({ except }) => !except || !control.matches(except));
-      if (found) lock(control, found.reason);
+      const reason = this.reasonOn(control);
+      if (reason) lock(control, reason);
       else if ("locked" in control.dataset) unlock(control);
     }
   }

@@ -36,9 +36,10 @@ export class TimeBar {
 
   /** Enables Step only without a real clock, the speed only without the byte clock, and both unless they are locked. */
   allow() {
-    byId("rate").disabled = this.known.state?.clock.mode === "bytes" || !this.lock.isFree;
-    byId("step").disabled = this.known.state?.clock.mode === "real" || !this.lock.isFree;
-    byId("step").title = this.lock.reason ?? kStepTitle;
+    const reason = this.lock.reasonOn(byId("step"));
+    byId("rate").disabled = this.known.state?.clock.mode === "bytes" || this.lock.reasonOn(byId("rate")) !== null;
+    byId("step").disabled = this.known.state?.clock.mode === "real" || reason !== null;
+    byId("step").title = reason ?? kStepTitle;
   }
 
   #showPause(isPaused) {
@@ -47,7 +48,7 @@ export class TimeBar {
     button.classList.toggle("primary", isPaused);
     if (button.ariaLabel === name) return;
     button.ariaLabel = name;
-    if (!this.lock.reason) button.title = name;
+    if (!this.lock.reasonOn(button)) button.title = name;
     button.querySelector("use").setAttribute("href", isPaused ? "#i-go" : "#i-pause");
   }
 

@@ -6,7 +6,7 @@ const kMaxRead = 8 * 1024 * 1024; // far beyond the message limit, even with muc
 const kMaxShown = 12;
 
 /** Parses a workcell file; throws an Error with a message for the user. */
-async function read(file) {
+export async function readWorkcell(file) {
   if (file.size > kMaxRead) throw new Error(`it is too large: ${Math.ceil(file.size / 1024)} KiB; the server accepts at most 256 KiB`);
   const text = await file.text();
   try {
@@ -34,7 +34,7 @@ export class WorkcellFile {
   async load(file) {
     this.problems.hidden = true;
     try {
-      await this.call("workcell", { workcell: await read(file) });
+      await this.call("workcell", { workcell: await readWorkcell(file) });
     } catch (error) {
       this.#list(file.name, error);
     }
