@@ -73,6 +73,7 @@ a recording | server/options/options.hpp | record_max_mib
 free space on the disk of recordings | server/recording/room.hpp | kFreeMib
 free space on the disk of recordings | server/recording/room.hpp | kFreePercent
 all recordings of a run | server/options/options.hpp | record_total_mib
+work to repeat a recording for `--continue` | server/recording/recorded_end.hpp | kMostWork | 1000000000
 bytes of a `send` call | protocol/monitor/calls/line.cpp | kMaxSent
 waiting of a call with `after` | protocol/monitor/request.hpp | kMaxWithinMs | 1000
 named snapshots | cell/calls/calls.hpp | kMaxSnapshots

@@ -30,6 +30,7 @@ class Roster(unittest.TestCase):
     def tokens(self, xr3):
         with xr3.monitor() as monitor:
             monitor.request("auth", token=TOKEN)
+            monitor.read()  # hello
             return {cell["name"]: cell["token"] for cell in monitor.call("cells")["cells"]}
 
     def refused(self, *options):
@@ -82,6 +83,7 @@ class Roster(unittest.TestCase):
             self.assertEqual(first["ada"], second["ada"])
             with xr3.monitor() as ada:
                 ada.request("auth", token=first["ada"])
+                ada.read()  # hello
                 ada.look("state", cell="ada")
                 with self.assertRaises(MonitorError):
                     ada.look("state", cell="eve")
