@@ -110,7 +110,7 @@ test("a lesson with thirty students and a teacher", { timeout: 240_000 }, async 
   await teacher.waitForSelector(`text="${workers.length} finished"`);
   await says(teacher, kWrong, "The same warning 3 times");
   await says(teacher, kStalls, "Stalled");
-  await says(teacher, kNever, "Nobody has opened this robot yet");
+  await says(teacher, kNever, "Nobody has opened this robot since the server started");
   await says(teacher, kWaits, "Waits for a reply that never comes: asked nothing after E+50.");
   await teacher.waitForSelector('text="3 need help"');
   assert.ok([kWaits, kWrong, kStalls].includes(await teacher.getAttribute(".card", "data-cell")), "who needs help comes first");
