@@ -23,7 +23,6 @@ XR3_COMMAND = re.compile(r"(?:\$ )?((?:XR3_\w+=\S+ )*)(?:build/release/)?xr3 (.+
 CLIENT_COMMAND = re.compile(r"(?:\$ )?(?:nc|curl|printf|echo) .*localhost")
 # The commands in fences that other tests run: the file and the beginning of the line, and the test.
 ELSEWHERE = {
-    "data-protection.md: find ": "test_data_protection.py",
     "exec.md: cc ": "test_exec.py",
     "frameworks.md: cmake ": "test_frameworks.py",
     "frameworks.md: cp ": "test_frameworks.py",
