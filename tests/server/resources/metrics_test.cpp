@@ -111,7 +111,7 @@ TEST(Metrics, EveryCounterHasASample) {
     ASSERT_TRUE(samples.contains(name)) << name;
     EXPECT_EQ(samples.at(name), value) << name;
   }
-  EXPECT_EQ(samples.size(), 21 + kLineCloseReasons + kCommandKinds + 1 + 2 * kChannels);
+  EXPECT_EQ(samples.size(), 25 + kLineCloseReasons + kCommandKinds + 1 + 2 * kChannels);
 }
 
 TEST(Metrics, SumsOfManyCellsNameNoCell) {
@@ -125,6 +125,11 @@ TEST(Metrics, SumsOfManyCellsNameNoCell) {
 TEST(Metrics, WhatTheSystemDoesNotTellIsAbsent) {
   const auto samples = parsed(metrics_text("main", some_counters(), {}));
   for (const auto& [name, value] : samples) EXPECT_FALSE(name.starts_with("process_")) << name;
+}
+
+TEST(Metrics, WithoutRecordingsThereIsNoRoomForThem) {
+  const auto samples = parsed(metrics_text("main", {}, kProcess));
+  EXPECT_FALSE(samples.contains(R"(xr3_recording_room_bytes{cell="main"})"));
 }
 
 TEST(Metrics, LargeCountsAreNotRounded) {
