@@ -107,7 +107,8 @@ std::string new_recording_path(const std::string& folder, const std::string& cel
 }
 
 bool is_recording_name(std::string_view name) {
-  if (!name.ends_with(kRecordingEnding)) return false;
+  const std::size_t least = kTimeForm.size() + kRecordingEnding.size();
+  if (name.size() < least || !name.ends_with(kRecordingEnding)) return false;
   const auto [time, run] = time_and_run(name);
   return is_time(time) && is_run(run);
 }

@@ -19,7 +19,7 @@ recording::Header end_of(const Cell& cell) {
   header.start = continued_state(cell);
   const std::string text = recording::header_to_json(header).dump();
   const JsonSource source(text, "end");
-  data::Reading reading(source);
+  data::Reading reading(source, data::Unit::kMm);
   auto read = recording::read_header(reading);
   EXPECT_EQ(to_text(reading.take_findings()), "");
   return *std::move(read);
@@ -104,7 +104,7 @@ TEST(Continued, AStartThatTheRobotCannotReachIsRefused) {
   json["start"]["state"]["state"]["motors"][1]["count"] = 1'000'000;
   const std::string text = json.dump();
   const JsonSource source(text, "end");
-  data::Reading reading(source);
+  data::Reading reading(source, data::Unit::kMm);
   EXPECT_FALSE(recording::read_header(reading));
   EXPECT_NE(to_text(reading.take_findings()).find("/start/state/state/motors"), std::string::npos);
 }
