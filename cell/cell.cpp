@@ -64,6 +64,18 @@ void Cell::set_line_speed(const LineSpeed& speed) {
   state_.line_speed = speed;
 }
 
+// With a byte clock a new transcript begins, which says so.
+void Cell::continue_from(Rewindable end, FaultPlan initial_faults, std::optional<LineSpeed> speed) {
+  assert(state_.lines.empty() && !state_.device && end.lines.empty());
+  static_cast<Rewindable&>(state_) = std::move(end);
+  state_.initial_faults = std::move(initial_faults);
+  state_.line_speed = speed;
+  state_.is_continued = true;
+  if (clock().running_mode() == ClockMode::kBytes) state_.transcript.emplace();
+  mark(state_, TranscriptMark::kNotBytesAlone);
+  ++revision_;
+}
+
 // --- Inputs and time.
 
 Applied Cell::apply(const Input& input, WallNs now, const IsEnough& is_enough) {
@@ -188,6 +200,11 @@ void Cell::report_opened() {
 
 void Cell::report_closed() {
   emit(state_, std::nullopt, CellClosedNote{name()}, output_);
+  output_.hand_over();
+}
+
+void Cell::report_continued(const std::string& path, const std::string& why) {
+  emit(state_, std::nullopt, ContinuedNote{path, why}, output_);
   output_.hand_over();
 }
 

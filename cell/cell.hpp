@@ -54,6 +54,12 @@ class Cell final {
   /// From now on, the bytes of lines take time, except on those of the monitor. Precondition: there
   /// is no device.
   void set_line_speed(const LineSpeed& speed);
+  /// From now on, the cell is the one that ended so, in another process: it has this state, these
+  /// faults of the start, and this speed of lines. Preconditions: the cell is fresh, both have the
+  /// same robot and profile, and neither has a device or lines.
+  void continue_from(Rewindable end, FaultPlan initial_faults, std::optional<LineSpeed> speed);
+  /// Whether it was continued.
+  bool is_continued() const { return state_.is_continued; }
   /// Sets the part of the next tick that has passed. Precondition: there is a byte clock.
   void set_clock_remainder(Micros remainder) { state_.byte_clock->set_remainder(remainder); }
 
@@ -97,6 +103,8 @@ class Cell final {
   /// Reports the event that the running server has opened the cell, or is about to close it.
   void report_opened();
   void report_closed();
+  /// Reports the event that the cell goes on from a recording, or cannot for this reason.
+  void report_continued(const std::string& path, const std::string& why);
 
   // --- Queries. They tell the state after the last apply() or catch_up().
 

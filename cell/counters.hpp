@@ -1,10 +1,12 @@
 // Statistics of a cell, its ports and their clients since the start of the server, for /metrics.
-// All are monotonic counters, except those marked "now" and the delay of the event loop.
+// All are monotonic counters, except those marked "now", the limits and the delay of the event
+// loop.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string_view>
 #include <variant>
 
@@ -56,6 +58,10 @@ struct CellCounters {
   PortCounters monitor_port;
   std::uint64_t cells_open = 0;  ///< now
   std::uint64_t cells_total = 0;
+  std::uint64_t lines_max = 0;
+  std::uint64_t allocated_bytes = 0;  ///< now
+  std::uint64_t allocated_max = 0;
+  std::optional<std::uint64_t> recording_room;  ///< bytes now; nullopt if nothing is recorded
   std::int64_t loop_lag_ns = 0;  ///< the greatest of the last minute, see server/net/loop_lag
 
   /// Adds the counts of a cell: of its lines, commands, warnings, ticks and recordings.

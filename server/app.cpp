@@ -10,6 +10,7 @@
 #include "server/net/spawn.hpp"
 #include "server/net/standard_input.hpp"
 #include "server/net/wall_clock.hpp"
+#include "server/options/cell_tokens.hpp"
 #include "server/print.hpp"
 
 namespace xr3 {
@@ -25,8 +26,6 @@ constexpr std::size_t kReserveBytes = std::size_t{256} * 1024;
 constexpr std::size_t kRingsPart = 8;
 // The memory that the histories of all cells may have together: 64 MiB, or an eighth.
 constexpr std::size_t kHistoryBytes = std::size_t{64} * 1024 * 1024;
-// The file of a cell in the folder of recordings.
-constexpr const char* kRecordingEnd = ".xr3rec";
 constexpr std::size_t kAddressesOfPort = 2;  // 127.0.0.1 and ::1
 
 ExitError listen_error(const std::string& what, const tcp::endpoint& endpoint, ErrorCode error) {
@@ -105,6 +104,12 @@ bool is_ignored(int signal) {
   return ::sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
 }
 
+std::vector<CellPlan> plans_with_tokens(const ServeOptions& options) {
+  std::vector<CellPlan> plans = plan_cells(options);
+  with_option_source(options.option_sources, "--roster", [&] { assign_tokens(options, plans); });
+  return plans;
+}
+
 /// The maximum number of branches at a time.
 std::size_t most_branches(const ServeOptions& options, std::size_t cells) {
   if (options.history_ticks == 0) return 0;
@@ -134,7 +139,7 @@ SocketLimits socket_limits(const ServeOptions& options, std::size_t cells) {
 
 App::App(const ServeOptions& options, std::vector<CellSeed> seeds, std::string token)
     : options_(options),
-      plans_(plan_cells(options)),
+      plans_(plans_with_tokens(options)),
       seeds_(std::move(seeds)),
       fresh_token_(std::holds_alternative<FreshToken>(options.token) ? token : ""),
       reserve_(std::make_unique<char[]>(kReserveBytes)),
@@ -146,6 +151,9 @@ App::App(const ServeOptions& options, std::vector<CellSeed> seeds, std::string t
       histories_(std::min(kHistoryBytes, (options.max_memory_mib << 20) / kRingsPart)),
       context_{io_,     turns_,     worker_, [this](HostedCell& cell) { after_input(cell); },
                &rings_, &histories_},
+      comebacks_(io_, [this](HostedCell& cell) { begin_again(cell); }),
+      retention_(io_, options.record, options.record_keep_days,
+                 [this](const std::string& path) { return comebacks_.needs(path); }),
       monitor_port_(
           io_, cells_, worker_, policy_, [this] { return not_ready(); }, [this] { ended(); },
           limits_),
@@ -166,6 +174,7 @@ App::App(const ServeOptions& options, std::vector<CellSeed> seeds, std::string t
 App::~App() {
   stage_ = Stage::kEnded;
   for (const CellPtr& each : cells_.all()) each->freeze();
+  comebacks_.stop();
   worker_.stop();
   io_.shutdown();
   for (const CellPtr& each : cells_.all()) each->lines().drop();
@@ -239,29 +248,6 @@ void App::open_terminals() {
 
 void App::connect_device() {
   if (options_.device) first().connect_device(*options_.device, options_.is_mirrored);
-}
-
-void App::start_recordings() {
-  if (options_.record.empty()) return;
-  with_option_source(options_.option_sources, "--record", [&] {
-    const auto start = std::chrono::system_clock::now();
-    record_path_ = has_many_cells(options_) ? make_run_folder(options_.record, start)
-                                            : unused_path(options_.record, start);
-    if (has_many_cells(options_))
-      spdlog::info("the cells are recorded in {}", record_path_);
-    else if (record_path_ != options_.record)
-      spdlog::info("{} exists already; the cell is recorded in {}", options_.record, record_path_);
-    for (const CellPtr& each : cells_.all()) record(*each);
-  });
-}
-
-/// Each of several cells has a file in the folder of this run.
-std::string App::record_file(const HostedCell& cell) const {
-  return has_many_cells(options_) ? record_path_ + "/" + cell.name() + kRecordingEnd : record_path_;
-}
-
-void App::record(HostedCell& cell) {
-  cell.record(record_file(cell), {std::uint64_t{options_.record_max_mib} << 20U, &record_room_});
 }
 
 void App::open_device() {

@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "server/cells/branch_cells.hpp"
+#include "server/cells/comebacks.hpp"
 #include "server/cells/connection_cells.hpp"
 #include "server/cells/registry.hpp"
 #include "server/cells/seed.hpp"
@@ -32,6 +33,7 @@
 #include "server/net/service_manager.hpp"
 #include "server/net/socket_limits.hpp"
 #include "server/options/options.hpp"
+#include "server/recording/retention.hpp"
 #include "server/recording/room.hpp"
 #include "server/session/access.hpp"
 
@@ -74,9 +76,11 @@ class App {
   void open_terminals();
   void connect_device();
   void start_recordings();
-  std::string record_file(const HostedCell& cell) const;
+  void start_recording_of_one();
+  void start_recordings_of_class();
   void record(HostedCell& cell);
-  void record_connection(HostedCell& cell);
+  void record_or_report(HostedCell& cell);
+  void begin_again(HostedCell& cell);
   void keep_histories();
   void keep_history(HostedCell& cell);
   std::variant<CellPtr, call::Refused> open_branch(HostedCell& of, MachineSnapshotPtr past);
@@ -94,14 +98,14 @@ class App {
   void check_byte_clock() const;
   void open_planned();
   void serve_connections();
-  CellPtr make_cell(const std::string& name, const CellSeed& seed);
+  CellPtr make_cell(const std::string& name, const CellSeed& seed, std::string token);
   CellPtr open_for_connection(const std::string& name);
   void close_cell(const CellPtr& cell);
   std::size_t lines_per_cell() const;
   RobotPortRules port_rules(std::size_t lines) const;
   void listen_on_cell(HostedCell& cell, std::uint16_t port);
   ServedPorts served_ports() const;
-  void count_more(CellCounters& counters) const;
+  void count_more(CellCounters& counters);
   void after_input(HostedCell& cell);
   void ended();
   bool has_no_clients() const;
@@ -121,7 +125,7 @@ class App {
   Stage stage_ = Stage::kStarting;
   bool is_replaying_ = false;
   std::string page_;         ///< address of the page; empty before the monitor port listens
-  std::string record_path_;  ///< path of the recording, or folder of this run for several cells
+  std::string record_path_;  ///< path of the recording; empty for several cells
   AccessPolicy policy_;
   RecordingRoom record_room_;
   SocketLimits limits_;
@@ -132,6 +136,8 @@ class App {
   Worker worker_;
   CellContext context_;
   CellRegistry cells_;
+  Comebacks comebacks_;
+  Retention retention_;
   std::optional<ConnectionCells> connection_cells_;
   MonitorPort monitor_port_;
   BranchCells branch_cells_;

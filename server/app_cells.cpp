@@ -15,8 +15,8 @@ namespace {
 
 constexpr double kNsPerSecond = 1e9;
 
-/// The token of one cell; empty unless reading needs a token and there are several cells.
-std::string cell_token(const ServeOptions& options) {
+/// A new token of one cell; empty unless reading needs a token and there are several cells.
+std::string fresh_cell_token(const ServeOptions& options) {
   return options.is_private && has_many_cells(options) ? read_token(FreshToken{}) : "";
 }
 
@@ -72,12 +72,12 @@ std::string App::not_ready() const {
 
 // --- Planned cells.
 
-CellPtr App::make_cell(const std::string& name, const CellSeed& seed) {
+CellPtr App::make_cell(const std::string& name, const CellSeed& seed, std::string token) {
   const std::string shown = has_many_cells(options_) ? name : "";
   const auto log = [this, shown](const CellEvent& event, const Model& model) {
     if (!is_replaying_) log_event(event, model, {shown, page_});
   };
-  return xr3::make_cell(context_, options_, seed, name, log, cell_token(options_));
+  return xr3::make_cell(context_, options_, seed, name, log, std::move(token));
 }
 
 void App::check_byte_clock() const {
@@ -96,7 +96,7 @@ void App::check_byte_clock() const {
 void App::open_planned() {
   assert(seeds_.size() == plans_.size());
   for (std::size_t i = 0; i < plans_.size(); ++i) {
-    const CellPtr cell = make_cell(plans_[i].name, seeds_[i]);
+    const CellPtr cell = make_cell(plans_[i].name, seeds_[i], plans_[i].token);
     cell->add_port(port_rules(lines_per_cell()));
     cells_.add(cell);
   }
@@ -129,35 +129,16 @@ void App::serve_connections() {
 }
 
 CellPtr App::open_for_connection(const std::string& name) {
-  CellPtr cell = make_cell(name, seeds_.front());
+  CellPtr cell = make_cell(name, seeds_.front(), fresh_cell_token(options_));
   cells_.add(cell);
-  record_connection(*cell);
+  record_or_report(*cell);
   keep_history(*cell);
   cell->cell().report_opened();
   cell->after_input();
   return cell;
 }
 
-// Begins the recording of a connection's cell. If that fails, the cell continues without it.
-void App::record_connection(HostedCell& cell) {
-  if (options_.record.empty()) return;
-  try {
-    record(cell);
-  } catch (const FileError& error) {
-    cell.cell().apply(RecordingFailed{record_file(cell), error.what()}, wall_now());
-  }
-}
-
-// --- The past.
-
-void App::keep_histories() {
-  for (const CellPtr& each : cells_.all()) keep_history(*each);
-}
-
-void App::keep_history(HostedCell& cell) {
-  if (options_.history_ticks > 0 && cell.cell().device() == nullptr && cell.history() == nullptr)
-    cell.keep_history(options_.history_ticks);
-}
+// --- Branches.
 
 std::variant<CellPtr, call::Refused> App::open_branch(HostedCell& of, MachineSnapshotPtr past) {
   if (stage_ != Stage::kReady) return is_stopping();
@@ -187,14 +168,14 @@ std::variant<CellPtr, call::Refused> App::open_branch(HostedCell& of, MachineSna
 CellPtr App::make_branch(const std::string& name, HostedCell& of, const MachineSnapshot& past) {
   const FaultPlan& faults = of.cell().value().initial_faults;
   const CellSeed seed{past.model, faults.faults.empty() ? std::nullopt : std::optional(faults)};
-  CellPtr cell = make_cell(name, seed);
+  CellPtr cell = make_cell(name, seed, fresh_cell_token(options_));
   cell->add_port(port_rules(std::min(kLinesPerBranch, lines_per_cell())));
   return cell;
 }
 
 // Begins a branch, which runs at once. Its recording, if any, begins with the state from the past.
 void App::begin_branch(HostedCell& cell, MachineSnapshotPtr past) {
-  if (has_many_cells(options_)) record_connection(cell);
+  if (has_many_cells(options_)) record_or_report(cell);
   keep_history(cell);
   cell.cell().apply(Rewind{std::move(past), {}}, wall_now());
   cell.cell().apply(Input{call::Call{call::Resume{}}}, wall_now());
@@ -216,7 +197,12 @@ void App::close_cell(const CellPtr& cell) {
   asio::post(io_, [cell] {});
 }
 
-void App::count_more(CellCounters& counters) const {
+void App::count_more(CellCounters& counters) {
+  counters.lines_max = limits_.lines;
+  counters.allocated_bytes = allocated_bytes();
+  counters.allocated_max = memory_.max_bytes();
+  if (!options_.record.empty())
+    counters.recording_room = record_room_.left(options_.record, wall_now());
   if (!connection_cells_) return;
   counters.robot_port.refused += connection_cells_->refused();
   counters.robot_port.accept_failures += connection_cells_->accept_failures();

@@ -75,6 +75,8 @@ std::shared_ptr<LogSink> log_sink;
 // and warnings that no command caused. The end of a recording needs attention.
 spdlog::level::level_enum level_of(const CellNote& note) {
   if (std::holds_alternative<RecordingNote>(note)) return spdlog::level::warn;
+  const auto* continued = std::get_if<ContinuedNote>(&note);
+  if (continued != nullptr && !continued->why.empty()) return spdlog::level::warn;
   const auto* body = std::get_if<EventBody>(&note);
   const bool matters = body == nullptr || std::holds_alternative<Stalled>(*body) ||
                        std::holds_alternative<Warning>(*body) ||

@@ -4,6 +4,8 @@
 #include <cassert>
 #include <utility>
 
+#include "cell/recording/continued.hpp"
+
 namespace xr3 {
 namespace {
 
@@ -37,6 +39,7 @@ void prepare_replay(Cell& cell, const recording::Header& header) {
   if (header.faults) cell.set_faults(*header.faults);
   if (header.device)
     cell.connect_device(header.device->path, header.device->settings, header.device->is_mirrored);
+  if (header.start) begin_at_start(cell, header, 0);
 }
 
 Replayer::Replayer(Cell& cell, Compared compared) : cell_(cell), compared_(compared) {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <fstream>
 #include <iomanip>
 #include <optional>
 #include <system_error>
@@ -32,6 +33,9 @@ constexpr const char* kTable = "grades.csv";
 constexpr const char* kJunit = "junit.xml";
 constexpr const char* kMoodle = "moodle.csv";  // only if there are submissions of Moodle
 
+/// The files of a submission when it was run: see files_of(). In its folder of the report.
+constexpr const char* kFilesFile = "files.txt";
+
 constexpr std::array kReportFiles{kPage, kTable, kJunit};
 
 bool is_report(const fs::path& path) {
@@ -41,11 +45,7 @@ bool is_report(const fs::path& path) {
   });
 }
 
-/// Whether a path is a submission, and not hidden, made by Python, or the report of a class.
-bool is_submission(const fs::path& path) {
-  const std::string name = path.filename().string();
-  return !name.starts_with('.') && name != "__pycache__" && !is_report(path);
-}
+bool is_submission(const fs::path& path) { return !is_by_the_way(path) && !is_report(path); }
 
 /// The submissions in the order of their names.
 std::vector<fs::path> submissions_in(const std::string& folder) {
@@ -109,6 +109,13 @@ RunReport result_in(const std::string& folder, const std::string& submission) {
   }
 }
 
+/// The files of the submission whose result is in this folder; empty if they were not noted.
+std::string files_in(const std::string& folder) try {
+  return read_file(folder + "/" + kFilesFile).text;
+} catch (const FileError&) {
+  return "";
+}
+
 RunReport not_run_report() {
   RunReport report;
   report.outcome = RunOutcome::kNotRun;
@@ -141,6 +148,7 @@ class Grading {
     require_free_names(submissions_);
     make_report_folder(options_.report, options_.has_only_missing);
     for (std::size_t i = 0; i < submissions_.size(); ++i) {
+      files_.push_back(files_of(submissions_[i]));
       if (options_.has_only_missing) reports_[i] = results_of(i);
       if (reports_[i].empty()) missing_.push_back(i);
     }
@@ -177,7 +185,7 @@ class Grading {
     return runs_ > 1 ? folder + "/" + folder_of_run(number_of(run)) : folder;
   }
 
-  /// The results of earlier runs of a submission; empty if it has no folder.
+  /// The results of earlier runs of a submission; empty if it has no folder, or has changed.
   std::vector<RunReport> results_of(std::size_t index) const {
     std::error_code error;
     const std::string folder = file(name_of(index));
@@ -185,6 +193,7 @@ class Grading {
     if (!fs::exists(folder, error)) return results;
     for (std::size_t run = 0; run < runs_; ++run)
       results.push_back(result_in(run_folder(folder, run), folder));
+    if (files_in(folder) != files_[index]) results.clear();
     return results;
   }
 
@@ -236,12 +245,20 @@ class Grading {
            (extension.empty() ? "file without an extension" : extension + " file");
   }
 
-  /// Gives a complete folder its name, and says how many there are.
+  /// Gives a complete folder its name, in place of that of an earlier version of the submission,
+  /// and says how many there are.
   void take(std::size_t index, std::ptrdiff_t count) const {
-    std::error_code failed;
-    if (is_complete(index)) fs::rename(draft_of(index), file(name_of(index)), failed);
+    if (is_complete(index)) replace(index);
     print_error(std::to_string(count) + " of " + std::to_string(missing_.size()) + ": " +
                 printable_line(name_of(index)) + "\n");
+  }
+
+  // An error leaves a folder that does not count as a result the next time.
+  void replace(std::size_t index) const {
+    std::error_code failed;
+    std::ofstream(draft_of(index) + "/" + kFilesFile, std::ios::binary) << files_[index];
+    fs::remove_all(file(name_of(index)), failed);
+    fs::rename(draft_of(index), file(name_of(index)), failed);
   }
 
   bool is_complete(std::size_t index) const {
@@ -264,6 +281,7 @@ class Grading {
   const GradeOptions& options_;
   const ExecOptions& exec_;
   std::vector<fs::path> submissions_;
+  std::vector<std::string> files_;  ///< files of each submission before it was run
   Exercise exercise_;
   std::size_t runs_;                             ///< number of each submission
   std::vector<std::vector<RunReport>> reports_;  ///< reports of the runs of each submission

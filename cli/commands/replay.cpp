@@ -1,76 +1,25 @@
-#include <fcntl.h>
-#include <unistd.h>
-
-#include <array>
-#include <cerrno>
-#include <cstring>
 #include <optional>
 #include <utility>
 
+#include "cell/recording/continued.hpp"
 #include "cell/recording/replayer.hpp"
 #include "cli/commands/commands.hpp"
 #include "cli/commands/fail.hpp"
 #include "core/drawing/status_line.hpp"
 #include "protocol/monitor/message.hpp"
 #include "protocol/monitor/snapshot.hpp"
-#include "protocol/recording/reader.hpp"
 #include "protocol/text/printable.hpp"
 #include "server/app.hpp"
 #include "server/files/atomic_write.hpp"
-#include "server/files/descriptor.hpp"
 #include "server/log.hpp"
 #include "server/print.hpp"
 #include "server/recording/joint_table.hpp"
+#include "server/recording/source.hpp"
 #include "tools/drawing/picture.hpp"
 #include "tools/drawing/svg.hpp"
 
 namespace xr3 {
 namespace {
-
-/// The file of a recording, read piece by piece.
-class RecordingSource {
- public:
-  explicit RecordingSource(const std::string& path)
-      : path_(path), file_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)), reader_(path) {
-    if (!file_.is_open()) fail();
-  }
-
-  recording::Header header() {
-    auto header = next_of<recording::Header>([this] { return reader_.header(); });
-    if (!header) throw FileError(path_ + ": contains no whole line of a recording");
-    return *std::move(header);
-  }
-  std::optional<recording::Entry> next() {
-    return next_of<recording::Entry>([this] { return reader_.next(); });
-  }
-  const recording::RecordingReader& reader() const { return reader_; }
-
- private:
-  template <class Item, class Take>
-  std::optional<Item> next_of(const Take& take) {
-    std::optional<Item> item = take();
-    while (!item && has_more()) item = take();
-    return item;
-  }
-  bool has_more() {
-    if (is_at_end_) return false;
-    const ::ssize_t count = ::read(file_.get(), piece_.data(), piece_.size());
-    if (count < 0 && errno != EINTR) fail();
-    if (count > 0) reader_.add({piece_.data(), static_cast<std::size_t>(count)});
-    is_at_end_ = count == 0;
-    if (is_at_end_) reader_.end();
-    return true;
-  }
-  [[noreturn]] void fail() const {
-    throw FileError(path_ + ": cannot be read: " + std::strerror(errno));
-  }
-
-  std::string path_;
-  Descriptor file_;
-  recording::RecordingReader reader_;
-  bool is_at_end_ = false;
-  std::array<char, 65536> piece_{};
-};
 
 std::string time_text(const Cell& cell) {
   return "epoch " + std::to_string(cell.epoch()) + ", tick " + std::to_string(cell.state().tick);
@@ -203,6 +152,7 @@ ExitCode replay_and_serve(const ReplayCommand& command) {
   App app(server, {CellSeed{header.model, header.faults}}, token);
   bool is_same = false;
   app.begin_with([&](Cell& cell) {
+    if (header.start) begin_at_start(cell, header, 0);
     is_same = run.repeat(cell);
     if (is_same) show_end(command.replay, cell);
   });

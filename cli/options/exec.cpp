@@ -164,7 +164,7 @@ void add_grade(CLI::App& app, GradeOptions& options, ExecOptions& exec, ServeOpt
             "in a submission that is a folder {} is this file, or the only one with its extension");
   add_value(grade, "--report", options.report, "FOLDER", "new folder for the report")->required();
   grade.add_flag("--only-missing", options.has_only_missing,
-                 "continue a report: run only the submissions that have no result in it");
+                 "continue a report: run the submissions that are new or have changed since");
   add_sandbox_of_grade(grade, exec);
   add_user(grade, exec);
   add_value(grade, "--jobs", options.jobs, "N", "number of submissions that run at a time")

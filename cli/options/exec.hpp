@@ -59,11 +59,11 @@ struct ExecOptions {
 };
 
 struct GradeOptions {
-  std::string folder;             ///< folder with the submissions
-  std::string report;             ///< a new folder for the report
-  std::string main;               ///< the file that is run of a folder; empty for the folder
-  bool has_only_missing = false;  ///< whether the folder may have results already, which are kept
-  std::size_t jobs = 0;           ///< submissions at a time; 0 for the default
+  std::string folder;  ///< folder with the submissions
+  std::string report;  ///< a new folder for the report
+  std::string main;    ///< the file that is run of a folder; empty for the folder
+  bool has_only_missing = false;  ///< whether the folder may have results, which are continued
+  std::size_t jobs = 0;  ///< submissions at a time; 0 for the default
 };
 
 /// Adds the subcommands; `server` is for the robot. The command of `grade` has `{}` for the

@@ -8,6 +8,7 @@
 #include "protocol/monitor/http_guard.hpp"
 #include "protocol/text/printable.hpp"
 #include "server/net/asio.hpp"
+#include "server/options/roster.hpp"
 
 namespace xr3 {
 namespace {
@@ -16,6 +17,7 @@ const std::vector<std::string> kLogLevels{"trace", "debug", "info", "warn", "err
 constexpr int kMaxLines = 20000;
 constexpr int kMaxCells = 10000;
 constexpr double kMaxLingerS = 86400;
+constexpr int kMaxKeepDays = 36500;
 constexpr int kMinMemoryMib = 64;
 // An argument only: standard input belongs to a single process.
 constexpr const char* kUntilStdinEnds = "--until-stdin-ends";
@@ -72,6 +74,8 @@ void add_cells(CLI::App& serve, ServeOptions& options) {
       ->type_name("NAME=ROBOT,WORKCELL[,PORT]")
       ->allow_extra_args(false)
       ->check(parses(parse_cell));
+  add_value(serve, "--roster", options.roster, "FILE",
+            "cells named after the students in this file: CSV or JSON");
   add_flag(serve, "--cell-per-connection", options.is_cell_per_connection,
            "each connection of the robot port gets a cell of its own");
   add_value(serve, "--max-cells", options.max_cells, "N", "maximum number of cells")
@@ -113,9 +117,14 @@ bool is_set(const CLI::App& command, const std::string& name) {
   return command.get_option(name)->count() > 0;
 }
 
-// Sets defaults that depend on the number of cells.
+// Adds the cells of the roster, and sets defaults that depend on the number of cells.
 void complete_cells(const CLI::App& serve, ServeOptions& options) {
   constexpr std::size_t kLinesOfEach = 4;
+  if (!options.roster.empty()) {
+    const auto rows = with_option_source(options.option_sources, "--roster",
+                                         [&] { return load_roster(options.roster); });
+    options.cell_choices.insert(options.cell_choices.end(), rows.begin(), rows.end());
+  }
   const std::size_t count = options.cells + options.cell_choices.size();
   if (count > 0 && !is_set(serve, "--robot-port")) options.robot_port = kFirstOfManyPorts;
   if (is_set(serve, "--max-lines")) return;
@@ -125,14 +134,30 @@ void complete_cells(const CLI::App& serve, ServeOptions& options) {
           : std::clamp<std::size_t>(kLinesOfEach * count, options.max_lines, kMaxLines);
 }
 
+// Options for the recordings of several cells.
+std::optional<Leave> refuse_recordings(const ServeOptions& options) {
+  constexpr const char* kFolder = "needs --record FOLDER and several cells: --roster or --cells";
+  const bool has_folder = has_many_cells(options) && !options.record.empty();
+  if (options.record_keep_days > 0 && !has_folder) return refuse(options, "--record-keep", kFolder);
+  if (options.is_continued && (!has_folder || options.is_cell_per_connection))
+    return refuse(options, "--continue",
+                  options.is_cell_per_connection
+                      ? "cannot be used with --cell-per-connection: its cells end with their lines"
+                      : kFolder);
+  return std::nullopt;
+}
+
 std::optional<Leave> refuse_cells(const ServeOptions& options) {
-  constexpr const char* kOneCell = "needs a server of one cell: leave out --cells and --cell";
+  constexpr const char* kOneCell =
+      "needs a server of one cell: leave out --cells, --cell and --roster";
   const bool is_listed = options.cells > 0 || !options.cell_choices.empty();
   if (options.is_cell_per_connection && is_listed)
-    return refuse(options, "--cell-per-connection", "cannot be used with --cells or --cell");
+    return refuse(options, "--cell-per-connection",
+                  "cannot be used with --cells, --cell or --roster");
   if (options.is_cell_per_connection && options.binds_peer)
     return refuse(options, "--bind-peer",
                   "cannot be used with --cell-per-connection: there each client has its own cell");
+  if (auto refused = refuse_recordings(options)) return refused;
   if (has_many_cells(options) && !options.ptys.empty()) return refuse(options, "--pty", kOneCell);
   if (has_many_cells(options) && options.device) return refuse(options, "--serial", kOneCell);
   try {
@@ -212,6 +237,11 @@ void add_recording(CLI::App& serve, ServeOptions& options) {
             "maximum size of all recordings of this run together in MiB")
       ->check(whole_number_between(1, kMaxMemoryMib))
       ->capture_default_str();
+  add_value(serve, "--record-keep", options.record_keep_days, "DAYS",
+            "with several cells: delete recordings that are older; 0 (default) keeps all")
+      ->check(whole_number_between(0, kMaxKeepDays));
+  add_flag(serve, "--continue", options.is_continued,
+           "with several cells: go on from where their last recordings end");
 }
 
 void add_log(CLI::App& serve, ServeOptions& options) {

@@ -39,8 +39,8 @@ def executable():
 
 
 def judge(options, program):
-    """(results, output): the result of each run, and what the program printed in the first run that is not
-    passed, or else in the last. Raises JudgeError."""
+    """(result, output): the result of the run and what the program printed, of several runs (--repeat) those of the
+    worst, as in `xr3 grade`. Raises JudgeError."""
     with tempfile.TemporaryDirectory() as folder:
         listed, runs = pathlib.Path(folder, "results"), pathlib.Path(folder, "runs")
         environment = {name: value for name, value in os.environ.items() if not name.startswith(PRIVATE)}
@@ -56,15 +56,15 @@ def judge(options, program):
         if not listed.exists():
             raise JudgeError(done.stderr.decode(errors="replace").strip() or f"xr3 exec ended with {done.returncode}")
         results = [json.loads(line) for line in listed.read_text(encoding="utf-8").splitlines()]
-        shown_run = next((i for i, result in enumerate(results) if not result["passed"]), len(results) - 1)
-        its = runs if len(results) == 1 else runs / f"{shown_run + 1:03}"
-        return results, (its / "output.txt").read_bytes().decode(errors="replace")
+        worst = min(range(len(results)), key=lambda i: (results[i]["points"], results[i]["passed"]))
+        its = runs if len(results) == 1 else runs / f"{worst + 1:03}"
+        which = "" if len(results) == 1 else f"Run {worst + 1} counts, the worst of {len(results)}"
+        return {**results[worst], "which": which}, (its / "output.txt").read_bytes().decode(errors="replace")
 
 
-def share(results):
-    """The points of all runs, from 0 to 1."""
-    most = sum(result["max_points"] for result in results)
-    return sum(result["points"] for result in results) / most if most else float(all(r["passed"] for r in results))
+def share(result):
+    """The points, from 0 to 1."""
+    return result["points"] / result["max_points"] if result["max_points"] else float(result["passed"])
 
 
 def clean(line):
@@ -83,6 +83,8 @@ def shown(output, mark):
 
 def report(result):
     """(what was checked, what was found) of a run, as lines without a line end."""
+    if result["which"]:
+        yield result["which"], []
     if result["why"]:
         yield f"✗ {clean(result['why'])}", []
     for goal in result["goals"]:
@@ -94,43 +96,34 @@ def report(result):
         yield f"Not counted: {clean(result['not_counted'])}", []
 
 
-def heading(results, number):
-    """Which of several runs it is."""
-    return f"run {number}: " if len(results) > 1 else ""
-
-
 def block(lines):
     """A comment of VPL: a line with - in front is a title, one with > is shown as it is."""
     return ["<|--", *lines, "--|>"]
 
 
-def vpl_lines(results, output):
+def vpl_lines(result, output):
     """What VPL reads. Its last line is the grade, between the grades of the activity."""
     lowest, highest = (float(os.environ.get(name) or usual)
                        for name, usual in zip(("VPL_GRADEMIN", "VPL_GRADEMAX"), DEFAULT_GRADES))
     comment = []
-    for number, result in enumerate(results, 1):
-        for title, found in report(result):
-            comment += [f"-{heading(results, number)}{title}", *found]
+    for title, found in report(result):
+        comment += [f"-{title}", *found]
     if output:
         comment += ["-What the program printed", *shown(output, ">")]
-    return [*block(comment), f"Grade :=>> {lowest + (highest - lowest) * share(results):.2f}"]
+    return [*block(comment), f"Grade :=>> {lowest + (highest - lowest) * share(result):.2f}"]
 
 
-def classroom_lines(results):
+def classroom_lines(result):
     """The output `result` of a step, as the reporter of GitHub Classroom reads it: a test for each goal."""
     tests = []
-    for number, result in enumerate(results, 1):
-        for goal in result["goals"]:
-            has_points = goal["met"] and goal["counted"]
-            found = goal["found"] if goal["counted"] else f"not counted: {result['not_counted']}"
-            tests.append({"name": heading(results, number) + goal["expected"], "test_code": "", "filename": "",
-                          "line_no": 0, "status": "pass" if has_points else "fail", "message": found,
-                          "score": goal["points"] if has_points else 0})
-    has_failed = any(result["outcome"] != "finished" for result in results)
-    status = "error" if has_failed else "pass" if all(result["passed"] for result in results) else "fail"
-    every = {"version": 1, "status": status, "max_score": sum(result["max_points"] for result in results),
-             "tests": tests}
+    for goal in result["goals"]:
+        has_points = goal["met"] and goal["counted"]
+        found = goal["found"] if goal["counted"] else f"not counted: {result['not_counted']}"
+        tests.append({"name": goal["expected"], "test_code": "", "filename": "", "line_no": 0,
+                      "status": "pass" if has_points else "fail", "message": found,
+                      "score": goal["points"] if has_points else 0})
+    status = "error" if result["outcome"] != "finished" else "pass" if result["passed"] else "fail"
+    every = {"version": 1, "status": status, "max_score": result["max_points"], "tests": tests}
     return ["result=" + base64.b64encode(json.dumps(every).encode()).decode()]
 
 
@@ -141,22 +134,20 @@ def use_utf8(*streams):
             stream.reconfigure(encoding="utf-8", errors="backslashreplace")
 
 
-def print_report(results, file):
-    """The goals of every run, for people."""
-    for number, result in enumerate(results, 1):
-        for title, found in report(result):
-            print(f"{heading(results, number)}{title}", *found, sep="\n  ", file=file)
+def print_report(result, file):
+    """The goals, for people."""
+    for title, found in report(result):
+        print(title, *found, sep="\n  ", file=file)
 
 
 def points(program, *options, of=None):
     """Judges a program, a list such as ["python3", "pick.py"]; prints its goals, and returns its points: those of
     the goals, or a share of the points `of` a cell. As the last line of a test cell this is partial credit."""
-    results, output = judge([str(option) for option in options], program)
+    result, output = judge([str(option) for option in options], program)
     use_utf8(sys.stdout)
-    print_report(results, sys.stdout)
+    print_report(result, sys.stdout)
     print(*shown(output, "| "), sep="\n")
-    scale = of if of is not None else sum(result["max_points"] for result in results)
-    return scale * share(results)
+    return (of if of is not None else result["max_points"]) * share(result)
 
 
 def main(arguments):
@@ -166,7 +157,7 @@ def main(arguments):
         return 2
     at = arguments.index("--")
     try:
-        results, output = judge(arguments[1:at], arguments[at + 1:])
+        result, output = judge(arguments[1:at], arguments[at + 1:])
     except JudgeError as error:
         trouble = [clean(line) for line in str(error).splitlines()]
         if arguments[0] == "vpl":  # and no grade: the student can do nothing about it
@@ -175,8 +166,8 @@ def main(arguments):
         print(*trouble, sep="\n", file=sys.stderr)
         return 1
     if arguments[0] == "classroom":
-        print_report(results, sys.stderr)
-    print(*(vpl_lines(results, output) if arguments[0] == "vpl" else classroom_lines(results)), sep="\n")
+        print_report(result, sys.stderr)
+    print(*(vpl_lines(result, output) if arguments[0] == "vpl" else classroom_lines(result)), sep="\n")
     return 0
 
 

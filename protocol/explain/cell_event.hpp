@@ -141,10 +141,17 @@ struct RecordingNote {
   std::string why;   ///< the reason; begins with the path
 };
 
-using CellNote =
-    std::variant<EventBody, ProblemNote, SuppressedNote, LineOpenedNote, LineClosedNote,
-                 LineTurnNote, ContestedNote, ClockNote, ModelNote, EpochNote, HandoverNote,
-                 DeviceNote, CellOpenedNote, CellClosedNote, NoticeNote, RecordingNote>;
+/// The server has been started again, and the cell goes on from the end of its recording; or it
+/// cannot, and is fresh.
+struct ContinuedNote {
+  std::string path;  ///< path of the recording
+  std::string why;   ///< the reason why it cannot; empty if it goes on
+};
+
+using CellNote = std::variant<EventBody, ProblemNote, SuppressedNote, LineOpenedNote,
+                              LineClosedNote, LineTurnNote, ContestedNote, ClockNote, ModelNote,
+                              EpochNote, HandoverNote, DeviceNote, CellOpenedNote, CellClosedNote,
+                              NoticeNote, RecordingNote, ContinuedNote>;
 
 struct CellEvent {
   Epoch epoch = 0;

@@ -240,6 +240,15 @@ struct CellEvents {
             "the recording has ended, and the robot goes on: " + note.why,
             {{"file", note.path}}};
   }
+  EventReport operator()(const ContinuedNote& note) const {
+    const bool is_good = note.why.empty();
+    return {"recording",
+            is_good ? "continued" : "not_continued",
+            is_good ? "the robot goes on from the end of " + note.path
+                    : "the robot is at its beginning, since its recording cannot be repeated: " +
+                          note.why,
+            {{"file", note.path}}};
+  }
 
  private:
   struct DeviceText {

@@ -68,6 +68,7 @@ Json summary_json(const CellSummary& cell) {
           {"tool", cell.tool},
           {"paused", cell.is_paused},
           {"frozen", cell.is_frozen},
+          {"coming_back", cell.is_coming_back},
           {"viewers", cell.viewers},
           {"last_input_at", json_or_null(cell.last_input_at)},
           {"last_command", command_json(cell.last_command)},
@@ -82,8 +83,8 @@ bool is_news(const CellSummary& before, const CellSummary& now) {
     return std::tie(cell.name, cell.robot, cell.robot_port, cell.lines, cell.peer, cell.owner,
                     cell.is_moving, cell.stall, cell.holding, cell.has_recording_failed,
                     cell.last_input_tick, cell.epoch, cell.joints, cell.tool, cell.is_paused,
-                    cell.is_frozen, cell.viewers, cell.last_input_at, cell.last_command,
-                    cell.stalled_at, cell.last_warning, cell.goals, cell.points);
+                    cell.is_frozen, cell.is_coming_back, cell.viewers, cell.last_input_at,
+                    cell.last_command, cell.stalled_at, cell.last_warning, cell.goals, cell.points);
   };
   return shown(before) != shown(now);
 }

@@ -60,6 +60,7 @@ struct CellSummary {
   double tool = 0;             ///< tool variable, deg or mm
   bool is_paused = false;
   bool is_frozen = false;
+  bool is_coming_back = false;          ///< the recording is repeated first
   std::size_t viewers = 0;              ///< monitor clients that follow a channel of the cell
   std::optional<UnixMs> last_input_at;  ///< nullopt if no byte has arrived on a line
   std::optional<CommandSummary> last_command;

@@ -8,6 +8,7 @@
 #include "protocol/files/robot.hpp"
 #include "protocol/files/workcell.hpp"
 #include "protocol/json/values.hpp"
+#include "protocol/monitor/saved_cell.hpp"
 #include "protocol/recording/byte_text.hpp"
 
 namespace xr3::recording {
@@ -18,6 +19,7 @@ using namespace data;  // NOLINT: keeps the tables below readable
 constexpr std::size_t kMaxName = 200;
 constexpr std::size_t kMaxPath = 4096;
 constexpr int kMaxVersion = 1'000'000;
+constexpr int kMaxRevision = 1 << 30;
 
 struct RecordedClock {
   ClockMode mode = ClockMode::kReal;
@@ -43,6 +45,7 @@ struct Parts {
   std::optional<ByteClockSettings> byte_clock;
   std::optional<LineSpeed> line_speed;
   std::optional<RecordedDevice> device;
+  std::optional<ContinuedState> start;
   std::string check;
 };
 
@@ -109,6 +112,35 @@ Members<RecordedDevice> device_members() {
           required("mirrored", &RecordedDevice::is_mirrored, boolean())};
 }
 
+Codec<SavedCell> saved_cell() {
+  const std::string form = "a snapshot, as snapshot_save gives it";
+  const auto read = [form](const Place& place, SavedCell& value) {
+    if (!place.value.is_object()) return place.refuse(form);
+    Reading reading(place.value, Unit::kMm);
+    std::optional<SavedCell> saved = read_saved_cell(reading);
+    place.reading.adopt(reading);
+    if (saved) value = *std::move(saved);
+    return saved.has_value();
+  };
+  return {form, read, saved_cell_to_json};
+}
+
+Members<ContinuedState> start_members() {
+  using Named = ContinuedState::NamedState;
+  constexpr std::size_t kMostSnapshots = 64;
+  const Members<Named> named = {required("name", &Named::name, text(1, kMaxName)),
+                                required("state", &Named::saved, saved_cell())};
+  return {
+      required("epoch", &ContinuedState::epoch, integer<Epoch>(0, monitor::kMaxInteger)),
+      optional("us", &ContinuedState::us, whole_number(0, 999)),
+      required("model_rev", &ContinuedState::model_rev, whole_number(1, kMaxRevision)),
+      required("last_line", &ContinuedState::last_line, integer<LineId>(0, monitor::kMaxInteger)),
+      optional("past_was_manual", &ContinuedState::past_was_manual, boolean()),
+      optional("freeze_was_manual", &ContinuedState::freeze_was_manual, boolean()),
+      required("state", &ContinuedState::saved, saved_cell()),
+      optional("snapshots", &ContinuedState::snapshots, list(object(named), 0, kMostSnapshots))};
+}
+
 const Members<Parts>& header_members() {
   static const Members<Parts> members = {
       required("xr3_recording", &Parts::format, whole_number(kFormat, kFormat)),
@@ -138,25 +170,41 @@ const Members<Parts>& header_members() {
                      return read_workcell(text, "", nullptr, 0, WorkcellBounds::kSaved);
                    },
                    workcell_to_json)),
+      optional("start", &Parts::start, object(start_members())),
       optional("c", &Parts::check, text(0, kMaxName))};
   return members;
 }
 
 void check_parts(const Parts& parts, Reading& reading) {
-  if ((parts.clock.mode == ClockMode::kBytes) != parts.byte_clock.has_value())
+  const bool is_paused = parts.start && parts.clock.mode == ClockMode::kManual;
+  if ((parts.clock.mode == ClockMode::kBytes) != parts.byte_clock.has_value() && !is_paused)
     reading.refuse("/byte_clock", parts.byte_clock ? "rules" : "",
                    "the rules of the byte clock, if the mode of the clock is bytes");
   if (!parts.robot && reading.is_sound("/robot"))
     return reading.refuse("/robot", "", "a robot in the form of its file");
   const bool is_real = parts.clock.mode == ClockMode::kReal && parts.clock.rate == Rate{};
-  if (parts.device && (!is_real || parts.line_speed || parts.faults))
-    reading.refuse("/device", "a device", "none with faults, a line speed or another clock");
+  if (parts.device && (!is_real || parts.line_speed || parts.faults || parts.start))
+    reading.refuse("/device", "a device",
+                   "none with faults, a line speed, a start or another clock");
 }
 
 /// The joints of the faults must be the robot's.
 void check_joints(const Model& model, const FaultPlan& plan, Reading& reading) {
   reading.refuse_part("/faults",
                       read_faults(faults_to_json(plan).dump(), "", model.labels()).findings);
+}
+
+/// The states must be some that the robot can reach.
+void check_start(const Model& model, const ContinuedState& start, Reading& reading) {
+  const auto check = [&](const SavedCell& saved, const std::string& pointer) {
+    for (const monitor::Detail& each : monitor::validate(model, saved))
+      reading.refuse(pointer + each.pointer, shown(each.found), each.allowed);
+  };
+  if (!(start.saved.workcell == model.workcell()))
+    reading.refuse("/start/state/workcell", "another one", "the workcell of the recording");
+  check(start.saved, "/start/state");
+  for (std::size_t i = 0; i < start.snapshots.size(); ++i)
+    check(start.snapshots[i].saved, child_pointer("/start/snapshots", i) + "/state");
 }
 
 }  // namespace
@@ -175,6 +223,7 @@ Json header_to_json(const Header& header) {
   parts.byte_clock = header.byte_clock;
   parts.line_speed = header.line_speed;
   parts.device = header.device;
+  parts.start = header.start;
   return write_object(parts, header_members());
 }
 
@@ -191,9 +240,19 @@ std::optional<Header> read_header(Reading& reading) {
   if (reading.has_errors()) return std::nullopt;
   const auto [mode, rate] = parts.clock;
   auto model = std::make_shared<const Model>(*parts.robot, parts.workcell, parts.profile);
-  Header header{parts.program,    parts.state_format, parts.cell,   std::move(model), mode, rate,
-                parts.byte_clock, parts.line_speed,   parts.faults, parts.device};
+  Header header{parts.program,
+                parts.state_format,
+                parts.cell,
+                std::move(model),
+                mode,
+                rate,
+                parts.byte_clock,
+                parts.line_speed,
+                parts.faults,
+                parts.device,
+                std::move(parts.start)};
   if (header.faults) check_joints(*header.model, *header.faults, reading);
+  if (header.start) check_start(*header.model, *header.start, reading);
   return reading.has_errors() ? std::nullopt : std::optional(std::move(header));
 }
 

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/faults/fault_state.hpp"
 #include "core/model.hpp"
@@ -13,6 +14,7 @@
 #include "protocol/line/byte_clock_settings.hpp"
 #include "protocol/line/line_speed.hpp"
 #include "protocol/line/serial_settings.hpp"
+#include "protocol/monitor/call.hpp"
 
 namespace xr3::recording {
 
@@ -26,6 +28,24 @@ struct RecordedDevice {
   bool is_mirrored = false;
 };
 
+/// The state of a cell that has gone on from the end of another recording. Its lines are closed.
+struct ContinuedState {
+  struct NamedState {
+    std::string name;
+    SavedCell saved{};
+    bool operator==(const NamedState&) const = default;
+  };
+
+  Epoch epoch = 0;
+  int us = 0;  ///< with a byte clock: microseconds after the tick, 0...999
+  int model_rev = 1;
+  LineId last_line = 0;
+  std::optional<bool> past_was_manual{};    ///< in the past: whether the clock was manual before
+  std::optional<bool> freeze_was_manual{};  ///< frozen: likewise
+  SavedCell saved{};                        ///< the workcell is that of the model
+  std::vector<NamedState> snapshots{};
+};
+
 struct Header {
   std::string program;   ///< name and version
   int state_format = 0;  ///< format of the digests, see cell/recording/state_hash.hpp
@@ -33,10 +53,11 @@ struct Header {
   ModelPtr model;
   ClockMode mode = ClockMode::kReal;
   Rate rate;
-  std::optional<ByteClockSettings> byte_clock;  ///< if the mode is kBytes
+  std::optional<ByteClockSettings> byte_clock;  ///< if the mode is, or was before a pause, kBytes
   std::optional<LineSpeed> line_speed;          ///< with a byte clock, only the time of a character
   std::optional<FaultPlan> faults;
   std::optional<RecordedDevice> device;
+  std::optional<ContinuedState> start = {};  ///< nullopt for a fresh cell
 };
 
 Json header_to_json(const Header& header);

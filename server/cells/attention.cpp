@@ -56,6 +56,7 @@ std::string_view Attention::text_of(const wire::Item& item, std::uint64_t start,
 
 void Attention::note_command(std::string_view text, bool has_reply) {
   if (!command_) command_.emplace();
+  text.remove_suffix(text.size() - (text.find_last_not_of("\r\n") + 1));
   std::string shown = printable_line(text);
   const bool is_same = command_->text == shown;
   *command_ = {std::move(shown), is_same ? command_->count + 1 : 1, has_reply};

@@ -51,6 +51,25 @@ void HostedCell::finish_recording() {
   if (recording_) recording_->finish();
 }
 
+void HostedCell::leave(std::function<void()> wanted) {
+  assert(port_ && !absence_);
+  absence_.emplace(context_.io, std::move(wanted));
+  port_->hold([this] { absence_->want(); });
+}
+
+asio::awaitable<void> HostedCell::be_back() {
+  if (absence_) co_await absence_->wait();
+}
+
+void HostedCell::come_back() {
+  assert(absence_);
+  absence_->end();
+  absence_.reset();
+  port_->release();
+  if (goals_) goals_->restart();
+  after_input();
+}
+
 void HostedCell::describe(monitor::CellSummary& summary) const {
   attention_.describe(summary);
   if (goals_) goals_->describe(summary);

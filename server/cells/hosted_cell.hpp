@@ -22,6 +22,7 @@
 #include "cell/cell.hpp"
 #include "cell/frames.hpp"
 #include "cell/history/history.hpp"
+#include "server/cells/absence.hpp"
 #include "server/cells/attention.hpp"
 #include "server/cells/event_forwarder.hpp"
 #include "server/cells/live_goals.hpp"
@@ -115,6 +116,14 @@ class HostedCell : public std::enable_shared_from_this<HostedCell> {
   /// nullptr if none is kept.
   const History* history() const { return history_ ? &*history_ : nullptr; }
 
+  /// The cell is absent until come_back(): connections of its port are not accepted, and requests
+  /// wait. `wanted`: see Absence. Precondition: it has a port, and has had no input.
+  void leave(std::function<void()> wanted);
+  bool is_absent() const { return absence_.has_value(); }
+  /// Waits until the cell has come back, and asks for it; at once unless it is absent.
+  asio::awaitable<void> be_back();
+  void come_back();
+
   /// Shows which goals of the exercise are met.
   void follow_goals(std::shared_ptr<const LiveExercise> exercise) {
     goals_.emplace(cell_, std::move(exercise));
@@ -164,6 +173,7 @@ class HostedCell : public std::enable_shared_from_this<HostedCell> {
   FrameCache frames_;
   SubscriberHub hub_;
   http::Pictures pictures_;
+  std::optional<Absence> absence_;
   bool is_retired_ = false;
   bool is_frozen_ = false;
 };

@@ -14,7 +14,11 @@ LiveGoals::LiveGoals(Cell& cell, std::shared_ptr<const LiveExercise> exercise)
 }
 
 void LiveGoals::update() {
-  if (std::exchange(epoch_, cell_.epoch()) == epoch_) return;
+  if (epoch_ != cell_.epoch()) restart();
+}
+
+void LiveGoals::restart() {
+  epoch_ = cell_.epoch();
   observer_.reset();
   observer_.emplace(cell_, exercise_->goals);
 }

@@ -29,6 +29,8 @@ class LiveGoals {
 
   /// To be called after each input of the cell: begins anew in a new epoch.
   void update();
+  /// Begins anew, since the cell has another state.
+  void restart();
   /// Fills in the goals that are met now, with their points.
   void describe(monitor::CellSummary& summary) const;
   const LiveExercise& exercise() const { return *exercise_; }

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "server/cells/hosted_cell.hpp"
 #include "cell/sha256.hpp"
+#include "server/cells/hosted_cell.hpp"
 
 namespace xr3 {
 

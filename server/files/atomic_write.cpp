@@ -35,12 +35,11 @@ fs::file_status writable_status(const fs::path& target) {
 
 // --- A draft.
 
-Draft::Draft(const fs::path& path)
+Draft::Draft(const fs::path& path, ::mode_t rights)
     : target_(followed(path)),
       before_(writable_status(target_)),
       path_(target_.string() + "." + std::to_string(::getpid())) {
-  constexpr int kRights = 0666;
-  file_ = Descriptor(::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kRights));
+  file_ = Descriptor(::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, rights));
   if (!file_.is_open()) fail(target_, std::strerror(errno));
 }
 

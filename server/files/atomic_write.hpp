@@ -1,6 +1,8 @@
 // Writes files atomically: a complete draft in the same folder is renamed to the file's name.
 #pragma once
 
+#include <sys/types.h>
+
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -20,7 +22,8 @@ enum class Existing : std::uint8_t { kKeep, kReplace };
 class Draft {
  public:
   /// Begins a draft. Follows symbolic links. The target must not exist, or be a regular file.
-  explicit Draft(const std::filesystem::path& target);
+  /// `rights`: those of a new file, before the umask.
+  explicit Draft(const std::filesystem::path& target, ::mode_t rights = 0666);
   Draft(const Draft&) = delete;
   Draft& operator=(const Draft&) = delete;
   ~Draft();

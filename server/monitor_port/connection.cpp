@@ -8,8 +8,9 @@
 namespace xr3 {
 namespace {
 
-// A person with netcat waits for a greeting; a program sends first. Browsers open a second
-// connection before they need it, and cannot use one that was greeted.
+// A person with netcat waits for a greeting; a program sends first. Browsers open connections
+// before they need them, and take a greeting for the answer to the request that they send later:
+// no connection of a machine that speaks HTTP is greeted.
 constexpr std::chrono::seconds kSilence{3};
 
 }  // namespace
@@ -81,6 +82,7 @@ asio::awaitable<std::string> MonitorConnection::open() {
 void MonitorConnection::greet_after_silence() {
   run_after(silence_, kSilence, [self = shared_from_this()] {
     if (self->detector_.protocol() != monitor::Protocol::kUndecided) return;
+    if (self->context_.speaks_http(self->machine())) return;
     self->detector_.settle_for_lines();
     self->greet();
   });

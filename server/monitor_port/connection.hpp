@@ -27,8 +27,10 @@ class MonitorConnection;
 struct MonitorConnectionContext {
   MonitorService& service;
   HttpResources& resources;
-  MemoryLimit* memory = nullptr;      ///< none if null
-  std::function<bool()> has_room;     ///< whether one more descriptor may be open
+  MemoryLimit* memory = nullptr;   ///< none if null
+  std::function<bool()> has_room;  ///< whether one more descriptor may be open
+  std::function<bool(const asio::ip::address&)>
+      speaks_http;  ///< whether a machine uses HTTP or WebSocket, or has a short time ago
   std::function<void()> tls_refused;  ///< called when a client speaks TLS
   std::function<void(const std::shared_ptr<MonitorConnection>&)>
       ended;  ///< called at the end; may release the connection
@@ -52,11 +54,15 @@ class MonitorConnection : public std::enable_shared_from_this<MonitorConnection>
   /// The client has shut down its sending side; the port may close it to make room.
   bool only_listens() const { return lines_ && lines_->only_listens(); }
 
+  /// The client has sent HTTP, and perhaps a WebSocket handshake then.
+  bool speaks_http() const { return http_.has_value(); }
+
   /// Ends the connection now.
   void abort();
 
   /// The bytes that wait for the client to read, or to complete its request.
   std::size_t held_bytes() const;
+  const asio::ip::address& machine() const { return *place_; }  ///< see machine_of()
   std::string peer() const { return to_text(peer_); }
 
  private:

@@ -20,8 +20,8 @@ namespace {
 
 namespace ws = boost::beast::websocket;
 
-constexpr std::chrono::seconds kMaxHandshake{10};
-constexpr std::chrono::milliseconds kMaxCloseTime{500};
+constexpr std::chrono::seconds kMaxLineHandshake{10};
+constexpr std::chrono::milliseconds kMaxLineCloseTime{500};
 constexpr std::size_t kMaxMessage = std::size_t{64} * 1024;
 
 std::string_view bytes_in(const boost::beast::flat_buffer& buffer) {
@@ -50,7 +50,7 @@ class BeastLineWebsocket final : public LineWebsocket {
         has_room_(std::move(has_room)),
         stream_(socket_->stream()),
         line_(socket_->executor()) {
-    stream_.set_option(ws::stream_base::timeout{kMaxHandshake, ws::stream_base::none(), false});
+    stream_.set_option(ws::stream_base::timeout{kMaxLineHandshake, ws::stream_base::none(), false});
     stream_.read_message_max(kMaxMessage);
     stream_.binary(true);
   }
@@ -106,6 +106,8 @@ asio::awaitable<void> BeastLineWebsocket::serve() {
   if (!at) co_return co_await close(ws::policy_error, "there is no such cell");
   if (at->port() == nullptr)
     co_return co_await close(ws::policy_error, "this cell has no robot port");
+  co_await at->be_back();
+  if (!socket_->is_open()) co_return;
   if (!has_room_()) co_return co_await close(ws::try_again_later, "too many connections are open");
   open(*at->port());
   spawn_session(socket_->executor(), "line", carry_replies(), [self = self()] { self->abort(); });
@@ -115,7 +117,7 @@ asio::awaitable<void> BeastLineWebsocket::serve() {
 /// Whether the client may use the line; reads its token if it needs one.
 asio::awaitable<bool> BeastLineWebsocket::is_allowed() {
   if (!service_.sessions().needs_token()) co_return true;
-  socket_->close_after(kMaxHandshake);
+  socket_->close_after(kMaxLineHandshake);
   const bool arrived = co_await read();
   socket_->call_off();
   const std::string token =
@@ -188,7 +190,7 @@ asio::awaitable<void> BeastLineWebsocket::carry_replies() {
 
 asio::awaitable<void> BeastLineWebsocket::close(ws::close_code code, std::string_view why) {
   if (std::exchange(is_closing_, true)) co_return;
-  socket_->close_after(kMaxCloseTime);
+  socket_->close_after(kMaxLineCloseTime);
   const ws::close_reason reason(code, why);
   co_await stream_.async_close(reason, kAwait);
 }

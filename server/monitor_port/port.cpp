@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <chrono>
 #include <utility>
 
 namespace xr3 {
@@ -20,8 +21,11 @@ MonitorPort::MonitorPort(asio::io_context& io, CellRegistry& cells, Worker& work
                resources_,
                nullptr,
                [this] { return has_room(); },
+               [this](const asio::ip::address& machine) { return speaks_http(machine); },
                [this] { report_tls(); },
                [this, ended](const std::shared_ptr<MonitorConnection>& connection) {
+                 if (connection->speaks_http())
+                   recent_http_.note(connection->machine(), std::chrono::steady_clock::now());
                  std::erase(connections_, connection);
                  has_logged_full_ = false;
                  ended();
@@ -46,6 +50,13 @@ std::size_t MonitorPort::descriptors() const {
   std::size_t count = 0;
   for (const auto& connection : connections_) count += connection->descriptors();
   return count;
+}
+
+bool MonitorPort::speaks_http(const asio::ip::address& machine) const {
+  const bool is_open = std::ranges::any_of(connections_, [&](const auto& each) {
+    return each->speaks_http() && each->machine() == machine;
+  });
+  return is_open || recent_http_.contains(machine, std::chrono::steady_clock::now());
 }
 
 // A client that has closed its connection looks like one that only listens, until a write fails.

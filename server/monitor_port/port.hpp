@@ -18,6 +18,7 @@
 
 #include "server/cells/registry.hpp"
 #include "server/monitor_port/connection.hpp"
+#include "server/monitor_port/recent_machines.hpp"
 #include "server/monitor_port/refusals.hpp"
 #include "server/net/asio.hpp"
 #include "server/net/listener.hpp"
@@ -67,6 +68,7 @@ class MonitorPort {
   CellCounters counters() const;
   std::size_t descriptors() const;
   bool has_room() const { return descriptors() < max_connections_; }
+  bool speaks_http(const asio::ip::address& machine) const;
   void make_room();
   std::shared_ptr<MonitorConnection> greediest() const;
   void report_tls();
@@ -79,6 +81,7 @@ class MonitorPort {
   MonitorConnectionContext context_;
   Listener listener_;
   Connections connections_;
+  RecentMachines recent_http_;
   Refusals refusals_;
   bool has_logged_tls_ = false;
   bool has_logged_full_ = false;

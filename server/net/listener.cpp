@@ -113,13 +113,23 @@ asio::awaitable<void> Listener::run(BoundAcceptor& bound) {
     const auto [error] = co_await acceptor.async_wait(tcp::acceptor::wait_read, kAwait);
     if (!acceptor.is_open()) co_return;
     if (error) throw boost::system::system_error(error);
-    if (accept_some(acceptor)) continue;
-    retry.expires_after(kRetryAfter);
+    if (!held_ && accept_some(acceptor)) continue;
+    if (held_) held_();
+    held_ ? retry.expires_at(asio::steady_timer::time_point::max())
+          : retry.expires_after(kRetryAfter);
     co_await retry.async_wait(kAwait);
   }
 }
 
+void Listener::hold(std::function<void()> waiting) { held_ = std::move(waiting); }
+
+void Listener::release() {
+  held_ = nullptr;
+  for (BoundAcceptor& bound : acceptors_) bound.retry.cancel();
+}
+
 void Listener::accept_pending() {
+  if (held_) return;
   for (BoundAcceptor& bound : acceptors_) {
     ErrorCode error;
     while (bound.acceptor.is_open() && !error) error = accept_one(bound.acceptor);

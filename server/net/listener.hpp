@@ -64,14 +64,18 @@ class Listener {
   /// attempt to accept one has failed.
   std::string trouble() const;
 
-  /// Accepts every connection that is pending in the kernel.
+  /// Leaves connections pending in the kernel until release(); calls `waiting` when one is.
+  void hold(std::function<void()> waiting);
+  void release();
+
+  /// Accepts every connection that is pending in the kernel, unless they are held.
   void accept_pending();
   void close();
 
  private:
   struct BoundAcceptor {
     tcp::acceptor acceptor;
-    asio::steady_timer retry;  ///< after a failure to accept
+    asio::steady_timer retry;  ///< after a failure to accept, or while connections are held
   };
 
   ErrorCode begin(tcp::acceptor acceptor);
@@ -87,6 +91,7 @@ class Listener {
   std::list<BoundAcceptor> acceptors_;
   Accepted accepted_;
   tcp::endpoint endpoint_;
+  std::function<void()> held_;  ///< empty unless connections are held
   std::uint64_t failures_ = 0;
   ErrorCode failure_;  ///< error of the last attempt; no error if it has succeeded
 };

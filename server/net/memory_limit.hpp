@@ -32,6 +32,8 @@ class MemoryLimit {
   /// Whether more is allocated now. Takes some microseconds.
   bool is_exceeded() const { return allocated_bytes() > max_bytes_; }
 
+  std::size_t max_bytes() const { return max_bytes_; }
+
   static constexpr std::size_t kBytesApart = std::size_t{4} * 1024 * 1024;
 
  private:

@@ -34,7 +34,10 @@ std::vector<CellPlan> named_plans(const ServeOptions& options) {
   for (const CellChoice& each : options.cell_choices) {
     const auto known = std::ranges::find(plans, each.name, &CellPlan::name);
     CellPlan& plan = known == plans.end() ? plans.emplace_back() : *known;
-    plan = {each.name, each.robot, each.workcell, 0};
+    const bool is_usual = each.robot.empty();
+    plan = {each.name, is_usual ? options.robot : each.robot,
+            is_usual && each.workcell.empty() ? options.workcell : each.workcell, 0,
+            each.token_file};
   }
   return plans;
 }
@@ -69,9 +72,15 @@ void refuse_clashes(const ServeOptions& options, const std::vector<CellPlan>& pl
 }
 
 void refuse_repeated(const std::vector<CellChoice>& choices) {
-  for (auto each = choices.begin(); each != choices.end(); ++each) {
-    if (std::ranges::count(choices, each->name, &CellChoice::name) > 1)
-      throw CellPlanError("--cell " + each->name + " is given twice: each cell has its own name");
+  std::map<std::string_view, const CellChoice*> known;
+  for (const CellChoice& each : choices) {
+    const auto [first, is_new] = known.emplace(each.name, &each);
+    if (is_new) continue;
+    const bool is_of_roster = !each.source.empty();
+    throw CellPlanError(
+        is_of_roster ? each.source + ": found the name \"" + each.name +
+                           "\", which --cell gives already: each cell has its own name"
+                     : "--cell " + each.name + " is given twice: each cell has its own name");
   }
 }
 

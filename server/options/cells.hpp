@@ -1,4 +1,5 @@
-// The cells that `xr3 serve` opens at the start, as its options say: --cells, --cell, --robot-port.
+// The cells that `xr3 serve` opens at the start, as its options say: --cells, --cell, --roster,
+// --robot-port.
 #pragma once
 
 #include <cstdint>
@@ -16,12 +17,14 @@ inline constexpr std::size_t kMaxCellName = 32;
 /// Whether the name has 1 to kMaxCellName characters, all of A-Z, a-z, 0-9, _ and -.
 bool is_cell_name(std::string_view name);
 
-/// One `--cell NAME=ROBOT[,WORKCELL[,PORT]]`.
+/// One `--cell NAME=ROBOT[,WORKCELL[,PORT]]`, or row of a roster (roster.hpp).
 struct CellChoice {
   std::string name;
-  std::string robot;                  ///< name or path
+  std::string robot;                  ///< name or path; empty for that of --robot
   std::string workcell;               ///< name or path; empty for the one with the robot's name
   std::optional<std::uint16_t> port;  ///< 0 for any free port; nullopt for that of its place
+  std::string token_file = {};        ///< with --private: file with its token; empty for none
+  std::string source = {};            ///< file and line of the roster; empty for --cell
   bool operator==(const CellChoice&) const = default;
 };
 
@@ -34,6 +37,8 @@ struct CellPlan {
   std::string robot;       ///< name or path
   std::string workcell;    ///< name or path; empty for the one with the robot's name
   std::uint16_t port = 0;  ///< 0 for any free port
+  std::string token_file = {};
+  std::string token = {};  ///< empty until assign_tokens(), and if it has none
   bool operator==(const CellPlan&) const = default;
 };
 
@@ -46,7 +51,7 @@ class CellPlanError : public std::runtime_error {
 /// The first robot port of several cells: that of cell k is 9700 + k.
 inline constexpr std::uint16_t kFirstOfManyPorts = 9701;
 
-/// The cells, in order: one named `main` without --cells and --cell; none with
+/// The cells, in order: one named `main` without --cells, --cell and --roster; none with
 /// --cell-per-connection. Throws CellPlanError.
 std::vector<CellPlan> plan_cells(const ServeOptions& options);
 

@@ -6,10 +6,11 @@
 // run. For each value that is not an argument, option_sources.hpp keeps the variable or the line of
 // the file it is from, and with_option_source() puts that in front of the message if a file of the
 // option cannot be used. cells.hpp derives the cells to open: one named main, `--cells N` with
-// consecutive ports, or one for each `--cell NAME=ROBOT,WORKCELL,PORT`; it throws a CellPlanError
-// if they contradict each other. App (server/app.hpp) takes options and plans and opens everything.
-// Values are plain: durations are in seconds or ticks as their names say, and an empty text or 0
-// often stands for an option that was not given, as noted at each member.
+// consecutive ports, or one for each `--cell NAME=ROBOT,WORKCELL,PORT` and row of a roster, which
+// roster.hpp reads; it throws a CellPlanError if they contradict each other. cell_tokens.hpp gives
+// each its token, and keeps it beside the roster. App (server/app.hpp) takes options and plans and
+// opens everything. Values are plain: durations are in seconds or ticks as their names say, and an
+// empty text or 0 often stands for an option that was not given, as noted at each member.
 #pragma once
 
 #include <cstddef>
@@ -61,7 +62,8 @@ struct ServeOptions {
   std::string goals;                  ///< file of the goals that the overview shows; empty for none
   std::string exercise_title;         ///< title for these goals; empty if there is none
   std::size_t cells = 0;              ///< 0 for one, with the name main
-  std::vector<CellChoice> cell_choices;
+  std::vector<CellChoice> cell_choices;  ///< those of --cell and of the roster
+  std::string roster;                    ///< file with the roster; empty for none
   bool is_cell_per_connection = false;
   std::size_t max_cells = 1000;
   /// Time for which a cell or the owner of its port is kept after its last line.
@@ -84,6 +86,8 @@ struct ServeOptions {
   std::string record;     ///< file of the recording; empty for none
   std::size_t record_max_mib = 1024;
   std::size_t record_total_mib = 8192;
+  int record_keep_days = 0;             ///< age at which recordings are deleted; 0 for never
+  bool is_continued = false;            ///< cells go on from the end of their recordings
   Tick history_ticks = 3600 * kTickHz;  ///< duration for which the past is kept; 0 for no past
   std::string log_level = "info";
   std::string log_file;  ///< empty for standard error

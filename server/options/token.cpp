@@ -19,16 +19,6 @@ using RandomBytes = std::array<std::uint8_t, 24>;  // 192 bits, 32 characters in
 
 bool is_control(char c) { return (c >= 0 && c < ' ') || c == '\x7f'; }
 
-std::string checked(std::string token, const std::string& where) {
-  if (token.size() < kMinTokenBytes || token.size() > kMaxTokenBytes) {
-    throw TokenError(where + ": a token has 16 to 1024 bytes; this one has " +
-                     std::to_string(token.size()));
-  }
-  if (std::any_of(token.begin(), token.end(), is_control))
-    throw TokenError(where + ": a token is one line of text without control characters");
-  return token;
-}
-
 RandomBytes random_bytes() {
   RandomBytes bytes{};
   for (std::size_t done = 0; done < bytes.size();) {
@@ -56,11 +46,11 @@ struct Reader {
     std::string text = read_file(file.path).text;
     if (text.ends_with('\n')) text.pop_back();
     if (text.ends_with('\r')) text.pop_back();
-    return checked(std::move(text), file.path);
+    return checked_token(std::move(text), file.path);
   }
   std::string operator()(const TokenInEnvironment&) const {
     const char* value = std::getenv(kTokenVariable);
-    return checked(value == nullptr ? "" : value, kTokenVariable);
+    return checked_token(value == nullptr ? "" : value, kTokenVariable);
   }
   std::string operator()(const FreshToken&) const { return base64url(random_bytes()); }
 };
@@ -70,6 +60,16 @@ struct Reader {
 bool is_token_in_environment() {
   const char* value = std::getenv(kTokenVariable);
   return value != nullptr && *value != '\0';
+}
+
+std::string checked_token(std::string token, const std::string& where) {
+  if (token.size() < kMinTokenBytes || token.size() > kMaxTokenBytes) {
+    throw TokenError(where + ": a token has 16 to 1024 bytes; this one has " +
+                     std::to_string(token.size()));
+  }
+  if (std::any_of(token.begin(), token.end(), is_control))
+    throw TokenError(where + ": a token is one line of text without control characters");
+  return token;
 }
 
 std::string read_token(const TokenSource& source) { return std::visit(Reader{}, source); }

@@ -38,6 +38,9 @@ bool is_token_in_environment();
 /// FileError if the file cannot be read.
 std::string read_token(const TokenSource& source);
 
+/// The token if it has the form of one. `where` is its source, for messages. Throws TokenError.
+std::string checked_token(std::string token, const std::string& where);
+
 /// Whether the file's permissions let users other than its owner and group read it.
 bool others_may_read(const std::string& path);
 

@@ -11,10 +11,11 @@
 
 namespace xr3 {
 
-/// Makes `folder` unless it exists, and in it a new folder for the recordings of one run, named
-/// after the time of its start in UTC: 2026-11-23T15-29-49Z, or …Z-2 if that exists. Both are for
-/// this user alone. Returns the path of the new folder. Throws FileError.
-std::string make_run_folder(const std::string& folder, std::chrono::system_clock::time_point start);
+/// A time in UTC; `format` is that of strftime.
+std::string utc_text(std::chrono::system_clock::time_point time, const char* format);
+
+/// `stem` and `ending` together, or with -2, -3 and so on between them, if that exists.
+std::string first_unused(const std::string& stem, const std::string& ending);
 
 /// The path if nothing has it yet; else with the time of the start of a run in UTC before its
 /// ending: a.xr3rec becomes a-20261123T152949Z.xr3rec, or …Z-2.xr3rec if that exists. Throws

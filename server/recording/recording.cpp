@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "cell/failure.hpp"
+#include "cell/recording/continued.hpp"
 #include "server/files/data_files.hpp"
 #include "server/net/wall_clock.hpp"
 
@@ -45,7 +46,9 @@ Recording::Recording(asio::io_context& io, Cell& cell, std::string path, Recordi
 Recording::~Recording() { cell_.end_observation(recorder_); }
 
 std::string Recording::header_line() {
-  std::string line = writer_.line(recording_header(cell_, "xr3 " XR3_VERSION));
+  recording::Header header = recording_header(cell_, "xr3 " XR3_VERSION);
+  if (cell_.is_continued()) header.start = continued_state(cell_);
+  std::string line = writer_.line(header);
   if (line.size() > recording::kMaxLine || line.size() + kRoomForEnd > limits_.max_bytes)
     throw FileError(path_ + ": robot and workcell are too large for the recording");
   return line;

@@ -29,15 +29,29 @@ std::string RecordingRoom::refusal(std::uint64_t bytes) const {
 }
 
 const std::string& RecordingRoom::shortage(const std::string& path, WallNs now) {
-  if (now < next_look_) return shortage_;
-  next_look_ = now + look_every_;
-  const DiskSpace space = space_of_(path);
-  const std::uint64_t kept = std::min(kFreeMib << 20U, space.size / kPercent * kFreePercent);
-  shortage_.clear();
-  if (space.free < kept)
-    shortage_ = "its disk has only " + mebibytes(space.free) + " free, and recordings leave " +
-                mebibytes(kept);
+  look(path, now);
   return shortage_;
+}
+
+std::uint64_t RecordingRoom::left(const std::string& path, WallNs now) {
+  look((std::filesystem::path(path) / "").string(), now);
+  const std::uint64_t of_run = max_bytes_ - taken_;
+  const std::uint64_t of_disk = space_.free - std::min(space_.free, kept());
+  return space_.size == 0 ? of_run : std::min(of_run, of_disk);
+}
+
+void RecordingRoom::look(const std::string& path, WallNs now) {
+  if (now < next_look_) return;
+  next_look_ = now + look_every_;
+  space_ = space_of_(path);
+  shortage_.clear();
+  if (space_.free < kept())
+    shortage_ = "its disk has only " + mebibytes(space_.free) + " free, and recordings leave " +
+                mebibytes(kept());
+}
+
+std::uint64_t RecordingRoom::kept() const {
+  return std::min(kFreeMib << 20U, space_.size / kPercent * kFreePercent);
 }
 
 }  // namespace xr3

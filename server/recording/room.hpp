@@ -41,6 +41,8 @@ class RecordingRoom {
   std::string refusal(std::uint64_t bytes) const;
   /// The reason why files beside this one should not grow; empty if they may.
   const std::string& shortage(const std::string& path, WallNs now);
+  /// The bytes that recordings in this folder, or in this file, may still have.
+  std::uint64_t left(const std::string& path, WallNs now);
   /// Takes bytes from the room. Precondition: refusal(bytes) is empty.
   void take(std::uint64_t bytes) {
     assert(refusal(bytes).empty());
@@ -48,10 +50,14 @@ class RecordingRoom {
   }
 
  private:
+  void look(const std::string& path, WallNs now);
+  std::uint64_t kept() const;
+
   std::uint64_t max_bytes_;
   SpaceOf space_of_;
   WallNs look_every_;
   WallNs next_look_ = 0;
+  DiskSpace space_;
   std::string shortage_;
   std::uint64_t taken_ = 0;
 };

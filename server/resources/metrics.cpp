@@ -94,6 +94,8 @@ double seconds(std::int64_t ns) { return static_cast<double>(ns) / 1e9; }
 
 void add_lines(MetricsPage& page, const CellCounters& counters) {
   page.gauge("lines_open", "Open serial lines.", number(counters.lines_open));
+  page.gauge("lines_max", "Serial lines that may be open (--max-lines).",
+             number(counters.lines_max));
   page.counter("lines_total", "Serial lines opened since the start.", number(counters.lines_total));
   page.begin("lines_closed_total", "Serial lines closed, by reason.", MetricType::Counter);
   for (std::size_t i = 0; i < kLineCloseReasons; ++i) {
@@ -127,6 +129,16 @@ void add_time(MetricsPage& page, const CellCounters& counters) {
 void add_recordings(MetricsPage& page, const CellCounters& counters) {
   page.counter("recordings_failed_total", "Recordings that ended before their cells.",
                number(counters.recordings_failed));
+  if (counters.recording_room)
+    page.gauge("recording_room_bytes", "Bytes that recordings may still have.",
+               number(*counters.recording_room));
+}
+
+void add_memory(MetricsPage& page, const CellCounters& counters) {
+  page.gauge("allocated_bytes", "Memory that the server has allocated.",
+             number(counters.allocated_bytes));
+  page.gauge("allocated_max_bytes", "Memory beyond which clients are closed (--max-memory).",
+             number(counters.allocated_max));
 }
 
 void add_refusals(MetricsPage& page, const CellCounters& counters) {
@@ -183,6 +195,7 @@ std::string metrics_text(const std::string& cell, const CellCounters& counters,
   add_recordings(page, counters);
   add_sessions(page, counters);
   add_refusals(page, counters);
+  add_memory(page, counters);
   add_process(page, counters, process);
   return page.text();
 }

@@ -188,6 +188,7 @@ asio::awaitable<Answer> HttpResources::answer(const HttpRequest& request) {
     if (refused) co_return *std::move(refused);
     CellPtr at = route.kind == Route::RouteKind::kCell ? cell_of(request) : nullptr;
     if (route.kind == Route::RouteKind::kCell && !at) co_return unknown_cell(service_.cells());
+    if (at) co_await at->be_back();
     if (at) at->cell().catch_up(wall_now());
     co_return co_await (this->*route.show)(std::move(at), request);
   }

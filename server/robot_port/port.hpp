@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "cell/counters.hpp"
 #include "server/lines/sessions.hpp"
@@ -32,6 +34,9 @@ class RobotPort final : public LineSource {
   /// Starts to accept on a socket that listens already, which the port then owns.
   ErrorCode adopt(int listening) { return listener_.adopt(listening); }
   tcp::endpoint endpoint() const { return listener_.endpoint(); }
+  /// Listener::hold() and release().
+  void hold(std::function<void()> waiting) { listener_.hold(std::move(waiting)); }
+  void release() { listener_.release(); }
   /// Opens a line for a client; refuses it beyond the limits, by closing its connection.
   void open(NewConnection connection);
   /// Accepts no further connection.

@@ -34,6 +34,7 @@ monitor::CellSummary summary_of(HostedCell& at) {
   summary.epoch = cell.epoch();
   summary.is_paused = cell.clock().mode() != cell.clock().running_mode();
   summary.is_frozen = cell.is_frozen();
+  summary.is_coming_back = at.is_absent();
   summary.viewers = at.hub().sessions().size();
   at.describe(summary);
   return summary;

@@ -174,6 +174,7 @@ asio::awaitable<void> MonitorService::carry_out(MonitorSession& session, monitor
     session.send(sessions_.unknown_cell(session, request));
     co_return;
   }
+  if (at && needs_cell) co_await at->be_back();
   const Dispatch dispatch{*this, at, session, request};
   co_await std::visit(dispatch, request.what);
 }

@@ -15,8 +15,10 @@ import uuid
 from containers import DEADLINE_S, LABEL, ROOT, environment_without_xr3, inspect
 from xr3 import Monitor, MonitorError
 
-LAB, TEST = "docker/compose.yml", "docker/compose.test.yml"
+LAB, TEST, CLASS = "docker/compose.yml", "docker/compose.test.yml", "docker/compose.class.yml"
+FILES = (LAB, TEST, CLASS)
 TOKEN = "a token of the tests"
+SET = {"XR3_TOKEN": TOKEN, "CLASS": "/class", "CLASS_USER": "1000"}  # all that the files require
 RECIPE = ROOT / "docs" / "ci"
 
 PEEK = """
@@ -59,15 +61,15 @@ class Project:
 
 class Files(unittest.TestCase):
     def test_are_valid(self):
-        for file in LAB, TEST:
+        for file in FILES:
             with self.subTest(file):
-                done = Project(file, XR3_TOKEN=TOKEN).run("config", "--quiet")
+                done = Project(file, **SET).run("config", "--quiet")
                 self.assertEqual(0, done.returncode, done.stdout + done.stderr)
 
     def test_every_service_is_limited(self):
-        for file in LAB, TEST:
+        for file in FILES:
             with self.subTest(file):
-                config = Project(file, XR3_TOKEN=TOKEN).run("config").stdout
+                config = Project(file, **SET).run("config").stdout
                 services = len(re.findall(r"^ +image: ", config, re.MULTILINE))
                 self.assertGreater(services, 0, config)
                 for setting in ("mem_limit", "pids_limit", "driver: json-file", "max-size: ", "max-file: "):
@@ -79,6 +81,14 @@ class Files(unittest.TestCase):
                 done = Project(file).run("config", "--quiet")
                 self.assertNotEqual(0, done.returncode)
                 self.assertIn("XR3_TOKEN", done.stderr)
+
+
+class Class(unittest.TestCase):
+    def test_needs_a_folder_and_its_owner(self):
+        for name in "CLASS", "CLASS_USER":
+            done = Project(CLASS, **{other: value for other, value in SET.items() if other != name}).run("config", "--quiet")
+            self.assertNotEqual(0, done.returncode)
+            self.assertIn(name, done.stderr)
 
 
 class Lab(unittest.TestCase):

@@ -112,6 +112,9 @@ def write_files(folder):
     run_xr3("convert", "my-arm.json", "my-arm.txt", cwd=folder)
     (folder / "lab.dat").touch()
     (folder / "metrics-token").write_text("of-the-metrics-alone\n", encoding="ascii")
+    (folder / "token").write_text("of-the-teacher-alone\n", encoding="ascii")
+    (folder / "token").chmod(0o600)
+    (folder / "class.csv").write_text("name,robot,workcell\nada,,\nbob,adept-one,\n", encoding="ascii")
     (folder / "lab.toml").write_text(shown_file("options.md", "toml"), encoding="utf-8")
     (folder / "faults.json").write_text(shown_file("faults.md", "json"), encoding="utf-8")
     for solution in pathlib.Path(ROOT, "docs", "course").glob("*/solution.py"):  # as the student's own file

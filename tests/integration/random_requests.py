@@ -161,6 +161,7 @@ def ask(test, seed, requests, *options, clock="manual"):
 
 def lives_on(test, seed, monitor):
     """Checks that the state can be saved and loaded, that time advances, and that a reset works."""
+    monitor.call("unfreeze")
     monitor.call("resume")  # a request may have taken the robot back to its past
     if monitor.get("clock")["clock"]["mode"] == "real":
         monitor.call("pause")

@@ -48,9 +48,12 @@ def run_xr3(*arguments, **options):
                           timeout=DEADLINE_S, check=False, **options)
 
 
-def connect(port, buffer_bytes=None):
-    """A connected TCP socket whose operations raise TimeoutError after the deadline."""
+def connect(port, buffer_bytes=None, machine=None):
+    """A connected TCP socket whose operations raise TimeoutError after the deadline. To the server, `machine`, an
+    address of loopback but LOCALHOST, is another machine."""
     sock = socket.socket()
+    if machine is not None:
+        sock.bind((machine, 0))
     if buffer_bytes is not None:
         sock.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, buffer_bytes)
         sock.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, buffer_bytes)

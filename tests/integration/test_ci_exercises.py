@@ -18,7 +18,7 @@ import unittest
 import urllib.parse
 import xml.etree.ElementTree
 
-from support import LOCALHOST, ROOT, XR3
+from support import GRADE, LOCALHOST, ROOT, XR3
 
 try:
     import yaml
@@ -303,14 +303,42 @@ class Exercises(unittest.TestCase):
 
     # --- The files.
 
-    def test_the_judge_can_take_several_runs(self):
-        self.submit("solution.py")
+    def test_of_several_runs_the_worst_counts(self):
+        """One of three runs, which are made at the same time, fails."""
+        program = (COURSE / "01-hello" / "solution.py").read_text(encoding="utf-8")
+        counter = str(self.folder / "count")
+        self.submit(f"with open({counter!r}, 'a+') as count:\n    count.write('x')\n    failed = count.tell() == 2\n{program}\n"
+                    "if failed:\n    print('bad luck')\n    raise SystemExit(1)\n")
         shutil.copy(CI / "xr3_judge.py", self.folder)
-        options = "--exercise 01-hello --vary 1 --repeat 2"
-        output = self.run_here(f"{sys.executable} -I xr3_judge.py vpl {options} -- {sys.executable} hello.py")
+        output = self.run_here(f"{sys.executable} -I xr3_judge.py vpl {self.luck()} -- {sys.executable} hello.py")
         comment, grades = self.read_by_vpl(output)
-        self.assertEqual(["10.00"], grades)
-        self.assertEqual(5, sum(line.startswith("-run 2: ✓") for line in comment))
+        self.assertEqual(["0.00"], grades)
+        self.assertRegex(comment[0], r"\A-Run [123] counts, the worst of 3\Z")
+        self.assertEqual("-✗ the program ended with exit code 1", comment[1])
+        self.assertIn(">bad luck", comment)
+
+    def luck(self):
+        """The options of the page for several runs."""
+        options = re.search(r"`(--repeat \d+ --vary \d+)`", PAGE)[1]
+        return f"--exercise 01-hello {options}"
+
+    def test_the_teacher_grades_what_was_collected(self):
+        """The commands of the page, with folders as the services make them."""
+        commands = re.findall(r"^\$ (xr3 grade .*)$", PAGE, re.MULTILINE)
+        layouts = (("exercise-1-submissions", "exercise-1-ada/hello.py", "exercise-1-bob/my_program.py"),
+                   ("submissions", "Ada King_11_assignsubmission_file/hello.py", "Bob_12_assignsubmission_file/hello.py"),
+                   ("submitted", "ada/week1/hello.py", "bob/week1/hello.py"))
+        self.assertEqual(len(layouts), len(commands))
+        for (folder, *files), command in zip(layouts, commands):
+            with self.subTest(command):
+                for file in files:
+                    (self.folder / folder / file).parent.mkdir(parents=True)
+                    self.submit("solution.py", f"{folder}/{file}")
+                printed = self.run_here(command.replace("xr3 ", f"{XR3} ", 1).replace("grade ", f"grade {' '.join(GRADE[1:])} ", 1))
+                self.assertEqual(2, len(re.findall(r"(?m)^.*  9/9 ", printed)), printed)
+                moodle = self.folder / "report" / "moodle.csv"
+                self.assertEqual("assignsubmission" in files[0], moodle.exists())
+                shutil.rmtree(self.folder / "report")
 
     def test_wrong_arguments(self):
         judge = f"{sys.executable} {CI / 'xr3_judge.py'}"

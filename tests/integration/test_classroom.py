@@ -2,16 +2,13 @@
 the page that says how they were measured."""
 # labels: full
 
-import os
 import pathlib
 import re
-import subprocess
-import sys
 import tempfile
 import unittest
 
 from reader import Reader, play
-from support import ROOT, Server
+from support import ROOT
 from test_cells import OTHER_ADDRESS, line_to
 
 PAGE = pathlib.Path(ROOT, "docs", "classroom.md")
@@ -37,15 +34,6 @@ class Classroom(unittest.TestCase):
             self.assertIn("<svg", pathlib.Path(folder, "end.svg").read_text(encoding="utf-8"))
             grades = pathlib.Path(folder, "report", "grades.csv").read_text(encoding="utf-8-sig").splitlines()
             self.assertEqual(len(list(pathlib.Path(folder, "submissions").iterdir())), len(grades) - 1)
-
-    def test_the_reset_is_that_of_the_server_of_the_port_file(self):
-        program = re.search(r"^# fresh\.py\n.*?(?=^```)", PAGE.read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL)[0]
-        with tempfile.TemporaryDirectory() as folder, \
-                Server("--cells", 2, "--port-file", pathlib.Path(folder, "ports.json")) as xr3, xr3.monitor() as monitor:
-            done = subprocess.run([sys.executable, "-c", program], cwd=folder, text=True, stdout=subprocess.PIPE, check=False,
-                                  env={**os.environ, "XR3_MONITOR_PORT": "1", "PYTHONPATH": f"{ROOT}/clients/python"})
-            self.assertEqual("2 robots are at their beginning\n", done.stdout)
-            self.assertEqual([1, 1], [monitor.look("state", cell=name)["epoch"] for name in "12"])
 
     def test_figures_are_those_that_were_measured(self):
         rows = re.findall(r"^\| [\d,]+ \| [\d.]+ ms \| \d+ %.*", PAGE.read_text(encoding="utf-8"), re.MULTILINE)

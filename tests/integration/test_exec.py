@@ -526,8 +526,30 @@ for folder in "/tmp", "/dev/shm", ".":
         done = self.grade("class", "--only-missing")
         self.assertEqual("", done.stderr)
         self.assertEqual(3, len(self.rows()))
+
+    def test_a_submission_that_has_changed_is_run_again(self):
+        program = self.write("class/ada/main.py", "import robot\n")
+        helper = self.write("class/ada/robot.py", PLACE)
+        self.write("class/bob/main.py", PLACE)
+        again = lambda: self.grade("class", "--main", "main.py", "--only-missing").stderr.splitlines()
+        self.grade("class", "--main", "main.py")
+        self.write("class/ada/.git/FETCH_HEAD", "hidden\n")
+        self.write("class/ada/__pycache__/robot.pyc", "of Python\n")
+        self.assertEqual([], again())
+        times = os.stat(helper)
+        self.write("class/ada/robot.py", PLACE.replace("A=-39", "A=-38"))
+        os.utime(helper, ns=(times.st_atime_ns, times.st_mtime_ns))  # as an archive does that is unpacked
+        self.assertEqual(["1 of 1: ada"], again())
+        os.remove(helper)
+        self.assertEqual(["1 of 1: ada"], again())
+        self.assertEqual({"ada": ("0", "failed"), "bob": ("8", "finished")}, self.rows())
+        self.assertIn(f" {os.path.getsize(program)} main.py\n", (self.folder / "report/ada/files.txt").read_text(encoding="utf-8"))
+        self.assertEqual([], again())
+
+    def test_a_folder_that_is_no_result_is_not_touched(self):
+        self.interrupted()
+        result = self.folder / "report/ada.py/result.json"
         result.write_text("{}", encoding="utf-8")
-        (self.folder / "report/bob.py/result.json").unlink()
         self.assertIn("there is no result of this version of xr3", self.grade("class", "--only-missing", code=2).stderr)
 
     def test_grade_takes_no_report_and_nothing_of_python_or_an_editor_for_a_submission(self):

@@ -13,7 +13,7 @@ import unittest
 from support import ROOT, Server
 
 COURSE = pathlib.Path(ROOT, "docs", "course")
-# Programs of the tenth give up on a reply after a second: in a lesson they run under `xr3 exec`, which nobody freezes.
+# Programs of the tenth give up on a reply after a second: in a lesson they run under `xr3 exec`, without a freeze.
 EXERCISES = sorted(path for path in COURSE.iterdir() if path.is_dir() and path.name != "10-robust")
 FROZEN_S = 30
 WORKS_S = 400

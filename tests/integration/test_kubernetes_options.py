@@ -30,6 +30,23 @@ class Options(unittest.TestCase):
                         self.assertEqual("result", monitor.request("auth", token=TOKEN)["op"])
                     self.assertNotIn("warn", xr3.log())
 
+    def test_the_class_may_be_fixed(self):
+        """The line of xr3.toml that is a comment, in the place of the three above it, with `private`."""
+        text = (FOLDER / "class" / "xr3.toml").read_text(encoding="utf-8")
+        fixed, count = re.subn(r"(?m)^cell-per-connection.*\n(?:.*\n)*?linger.*\nmax-cells.*\n#.*\n# (cells = \d+)$", r"\1", text)
+        self.assertEqual(1, count)
+        with tempfile.TemporaryDirectory() as folder:
+            options, token = pathlib.Path(folder, "xr3.toml"), pathlib.Path(folder, "token")
+            options.write_text(fixed.replace("private = false", "private = true"), encoding="utf-8")
+            token.write_text(TOKEN, encoding="utf-8")
+            token.chmod(0o440)
+            with Server("--config", str(options), "--record", f"{folder}/recordings", "--token-file", str(token), clock="real") as xr3:
+                with xr3.monitor() as monitor:
+                    monitor.request("auth", token=TOKEN)
+                    self.assertEqual(30, len(monitor.read()["cells"]))
+                    self.assertEqual(30, len({cell["token"] for cell in monitor.call("cells")["cells"]}))
+                self.assertEqual(30, len(list(pathlib.Path(folder, "recordings").rglob("*.xr3rec"))))
+
     def test_a_robot_comes_back_by_the_command_of_the_page(self):
         """With another path, other ports and another token file. The recording is that of a server that was killed."""
         page = (FOLDER / "README.md").read_text(encoding="utf-8")
@@ -47,7 +64,7 @@ class Options(unittest.TestCase):
                 self.wait_for(recordings, f'"in":"E?","out":"{reply}"')
                 xr3.process.kill()
                 xr3.process.wait()
-            file, = recordings.glob("*/c1.xr3rec")
+            file, = recordings.glob("c1/*.xr3rec")
             words = command.split()
             for word, value in ((r".*\.xr3rec", file), (r"9700|9701", "0"), (r"/run/secrets/xr3/token", token)):
                 words = [str(value) if re.fullmatch(word, each) else each for each in words]
@@ -61,7 +78,7 @@ class Options(unittest.TestCase):
 
     def wait_for(self, recordings, text):
         deadline = time.monotonic() + DEADLINE_S
-        while not any(text in path.read_text(encoding="ascii") for path in recordings.glob("*/c1.xr3rec")):
+        while not any(text in path.read_text(encoding="ascii") for path in recordings.glob("c1/*.xr3rec")):
             self.assertLess(time.monotonic(), deadline)
 
     def test_arguments_are_known(self):

@@ -80,9 +80,13 @@ class Stream:
             self.watcher.request("ping")
 
     def read_to_end(self):
+        return self.read_to_end_of(self.socket)
+
+    @staticmethod
+    def read_to_end_of(sock):
         data = b""
         try:
-            while part := self.socket.recv(65536):
+            while part := sock.recv(65536):
                 data += part
         except ConnectionResetError:
             pass
@@ -189,6 +193,26 @@ class Opening(unittest.TestCase):
                 last, = messages(stream.ends())
                 self.assertEqual(("pong", None) if kind is JSON else ("bye", "not_json"), (last["op"], last.get("why")))
                 self.assert_nothing_acted()
+
+    def test_a_machine_that_speaks_http_is_not_greeted(self):
+        """A browser opens connections ahead, and takes a greeting for the answer to its next request."""
+        get = b"GET /healthz HTTP/1.1\r\nHost: localhost\r\n%s\r\n"
+        before = [connect(self.xr3.monitor_port, machine=machine) for machine in ("127.0.0.2", "127.0.0.3")]
+        before[0].sendall(get % b"Connection: close\r\n")
+        before[1].sendall(get % b"")  # this connection stays open
+        ahead = [connect(self.xr3.monitor_port, machine=machine) for machine in ("127.0.0.2", "127.0.0.3")]
+        typed = connect(self.xr3.monitor_port, machine="127.0.0.2")
+        person = connect(self.xr3.monitor_port, machine="127.0.0.4")
+        for each in (*before, *ahead, typed, person):
+            self.addCleanup(each.close)
+        self.assertEqual("hello", messages(person.recv(65536))[0]["op"], "which comes after those of the others would")
+        self.assertEqual([], select.select([*ahead, typed], [], [], 0)[0])
+        for each in ahead:
+            each.sendall(get % b"")
+            self.assertRegex(each.recv(65536), rb"\AHTTP/1\.1 200 ")
+        typed.sendall(PING)
+        typed.shutdown(1)
+        self.assertEqual(["hello", "pong"], [message["op"] for message in messages(Stream.read_to_end_of(typed))])
 
     def test_blanks_and_a_byte_order_mark_count_as_silence(self):
         for stream in self.greeted([b"\r\n", b" ", BOM]):

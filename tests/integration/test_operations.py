@@ -2,9 +2,11 @@
 table of capacity is the one that scripts/capacity prints, and its metrics are those that the server has."""
 # labels: full
 
+import contextlib
 import os
 import pathlib
 import re
+import shutil
 import signal
 import subprocess
 import tempfile
@@ -13,7 +15,13 @@ import urllib.request
 
 from support import DEADLINE_S, LOCALHOST, ROOT, XR3, Server
 
+try:
+    import yaml
+except ImportError:
+    yaml = None
+
 PAGE = pathlib.Path(ROOT, "docs", "operations.md").read_text(encoding="utf-8")
+ALERTS = pathlib.Path(ROOT, "deploy", "prometheus", "xr3.rules.yaml")
 CAPACITY_S = 240.0
 
 # The sources of the values in the table of limits: for each number of a row its file, constant and,
@@ -65,6 +73,7 @@ a recording | server/options/options.hpp | record_max_mib
 free space on the disk of recordings | server/recording/room.hpp | kFreeMib
 free space on the disk of recordings | server/recording/room.hpp | kFreePercent
 all recordings of a run | server/options/options.hpp | record_total_mib
+work to repeat a recording for `--continue` | server/recording/recorded_end.hpp | kMostWork | 1000000000
 bytes of a `send` call | protocol/monitor/calls/line.cpp | kMaxSent
 waiting of a call with `after` | protocol/monitor/request.hpp | kMaxWithinMs | 1000
 named snapshots | cell/calls/calls.hpp | kMaxSnapshots
@@ -122,6 +131,13 @@ def constant(file, name, divisor=1):
     return number // int(divisor)
 
 
+@contextlib.contextmanager
+def recorded_server():
+    """A server with the metrics of all options."""
+    with tempfile.TemporaryDirectory() as folder, Server("--record", f"{folder}/session.xr3rec") as xr3:
+        yield xr3
+
+
 class Limits(unittest.TestCase):
     def test_every_row_has_the_values_of_the_sources(self):
         expected = {}
@@ -150,7 +166,7 @@ class Metrics(unittest.TestCase):
         for names, kind, _ in table("Metrics"):
             for name in re.findall(r"`(\w+)`", names):
                 described[name] = (kind.split(",")[0].removesuffix("s"), tuple(re.findall(r"`(\w+)`", kind)))
-        with Server() as xr3, xr3.monitor() as monitor:
+        with recorded_server() as xr3, xr3.monitor() as monitor:
             line = xr3.line()
             line.send("x")
             monitor.step(0, after=line)
@@ -162,11 +178,28 @@ class Metrics(unittest.TestCase):
             served[name] = (kind, tuple(label for label in re.findall(r"(\w+)=", labels) if label != "cell"))
         self.assertEqual(served, described)
 
-    def test_alarms_use_metrics_that_exist(self):
-        with Server() as xr3, urllib.request.urlopen(f"http://{LOCALHOST}:{xr3.monitor_port}/metrics") as answer:
+    def test_the_page_and_the_alerts_use_metrics_that_exist(self):
+        with recorded_server() as xr3, urllib.request.urlopen(f"http://{LOCALHOST}:{xr3.monitor_port}/metrics") as answer:
             served = set(re.findall(r"^# TYPE (\w+)", answer.read().decode(), re.MULTILINE))
-        used = set(re.findall(r"\b(?:xr3|process)_\w+", PAGE))
-        self.assertEqual(set(), {name for name in used if name not in served})
+        for text in PAGE, ALERTS.read_text(encoding="utf-8"):
+            used = set(re.findall(r"\b(?:xr3|process)_\w+", text))
+            self.assertEqual(set(), used - served)
+
+    @unittest.skipUnless(yaml, "python3-yaml is not installed")
+    def test_each_alert_says_what_to_do(self):
+        rules = [rule for group in yaml.safe_load(ALERTS.read_text(encoding="utf-8"))["groups"] for rule in group["rules"]]
+        self.assertEqual(len(rules), len({rule["alert"] for rule in rules}))
+        for rule in rules:
+            with self.subTest(rule["alert"]):
+                self.assertIn(rule["labels"]["severity"], ("critical", "warning"))
+                self.assertEqual({"summary", "description"}, rule["annotations"].keys())
+                for text in rule["annotations"].values():
+                    self.assertRegex(text, r"\A[A-Z].*\.\Z")
+
+    @unittest.skipUnless(shutil.which("promtool"), "needs promtool, which is in the package prometheus")
+    def test_prometheus_accepts_the_alerts(self):
+        done = subprocess.run(["promtool", "check", "rules", ALERTS], capture_output=True, text=True, timeout=DEADLINE_S, check=False)
+        self.assertEqual(0, done.returncode, done.stdout + done.stderr)
 
 
 class Capacity(unittest.TestCase):

@@ -1,6 +1,5 @@
 """Recordings: what a real server writes while it runs, and what `xr3 replay` makes of it."""
 
-import contextlib
 import csv
 import json
 import os
@@ -158,9 +157,12 @@ class Recordings(unittest.TestCase):
         *frames, result = monitor.read_until(lambda message: message["op"] == "result")
         self.assertEqual((now["tick"], now["joints"]), (result["value"]["tick"], frames[-1]["joints"]))
 
-    def runs(self, folder):
-        """The folders of the runs of a server, in the order of their start."""
-        return sorted(folder.iterdir(), key=lambda path: path.stat().st_ctime_ns)
+    def files(self, folder, cell):
+        """The recordings of a cell, in the order of their start."""
+        found = sorted((folder / cell).iterdir(), key=lambda path: (path.name[:20], len(path.name), path.name))
+        for path in found:
+            self.assertRegex(path.name, r"^\d{4}-\d\d-\d\dT\d\d-\d\d-\d\dZ(-\d+)?\.xr3rec$")
+        return found
 
     def test_each_of_several_cells_has_a_file(self):
         with Server("--record", self.folder / "class", "--cells", "2") as xr3, xr3.monitor() as monitor:
@@ -168,9 +170,10 @@ class Recordings(unittest.TestCase):
                 monitor.request("call", cell=cell, fn="send", args={"text": moves})
                 monitor.request("call", cell=cell, fn="run_until", args={"idle": True, "max_ticks": 60_000})
         self.assertEqual(0o700, stat.S_IMODE((self.folder / "class").stat().st_mode))
-        run, = self.runs(self.folder / "class")
+        self.assertEqual({"1", "2"}, {path.name for path in (self.folder / "class").iterdir()})
         for cell, count in (("1", "E10"), ("2", "E20")):
-            done = self.replay("--print", "state", file=run / f"{cell}.xr3rec")
+            file, = self.files(self.folder / "class", cell)
+            done = self.replay("--print", "state", file=file)
             self.assertEqual(count, counts(json.loads(done.stdout)))
 
     def test_each_cell_of_a_connection_has_a_file(self):
@@ -178,40 +181,36 @@ class Recordings(unittest.TestCase):
             for _ in range(2):
                 with xr3.line() as line:
                     line.ask("E?")
-        run, = self.runs(self.folder / "class")
-        self.assertEqual(["c1.xr3rec", "c2.xr3rec"], sorted(path.name for path in run.iterdir()))
-        for file in run.iterdir():
+        for cell in ("c1", "c2"):
+            file, = self.files(self.folder / "class", cell)
             self.assertIn("everything is as recorded", self.replay(file=file).stderr)
 
     def test_a_restart_keeps_the_recordings_and_records(self):
-        """A second server with the same options starts, while the first one may still run, and writes other files."""
+        """Servers with the same options, one after the other, write other files."""
         for options in (["--cells", "2"], ["--cell-per-connection"]):
             with self.subTest(options):
                 folder = self.folder / options[0].strip("-")
-                with self.recorded_cell(folder, "E+10\r", *options) as run:
-                    file, = (path for path in run.iterdir() if path.stem in ("1", "c1"))
-                before = file.read_bytes()
-                for _ in range(2):
-                    with self.recorded_cell(folder, "E+20\r", *options):
-                        pass
-                runs = self.runs(folder)
-                self.assertEqual(3, len(runs))
-                self.assertEqual(before, file.read_bytes())
-                for run, count in zip(runs, ("E10", "E20", "E20")):
-                    done = self.replay("--print", "state", file=run / file.name)
+                cell = "c1" if len(options) == 1 else "1"
+                for count in ("10", "20", "20"):
+                    before = self.bytes_of(folder)
+                    self.record_a_move(folder, f"E+{count}\r", *options)
+                    self.assertLessEqual(before.items(), self.bytes_of(folder).items())
+                files = self.files(folder, cell)
+                self.assertEqual(3, len(files))
+                for file, count in zip(files, ("E10", "E20", "E20")):
+                    done = self.replay("--print", "state", file=file)
                     self.assertEqual(count, counts(json.loads(done.stdout)))
 
-    @contextlib.contextmanager
-    def recorded_cell(self, folder, moves, *options):
-        """A server whose first cell has done these moves; the value is the folder that its log names."""
+    def bytes_of(self, folder):
+        return {path: path.read_bytes() for path in folder.glob("*/*")}
+
+    def record_a_move(self, folder, move, *options):
         with Server("--record", folder, *options) as xr3, xr3.line() as line:
-            line.ask(moves + "E?")
+            line.ask(move + "E?")
             with xr3.monitor() as monitor:
                 monitor.request("call", cell=monitor.hello["cells"][0], fn="run_until",
                                 args={"idle": True, "max_ticks": 60_000})
-            run = self.runs(folder)[-1]
-            xr3.wait_log(f"the cells are recorded in {run}")
-            yield run
+            xr3.wait_log(f"the cells are recorded in {folder}")
 
     def test_the_folder_of_several_cells_is_no_file(self):
         self.file.write_text("kept", encoding="ascii")
@@ -333,10 +332,11 @@ class Recordings(unittest.TestCase):
                     failed = [event for event in events if event["code"] == "recording_failed"]
                 self.assertIn("--record-max" if number == 1 else "--record-total", failed[0]["message"])
                 self.assertEqual(ord(" "), line.ask("E?"))
-        run, = self.runs(folder)
-        self.assertEqual({"c1.xr3rec", "c2.xr3rec"}, {path.name for path in run.iterdir()})
-        self.assertLessEqual(sum(path.stat().st_size for path in run.iterdir()), 3 << 20)
-        for file in run.iterdir():
+        files = [path for cell in ("c1", "c2") for path in self.files(folder, cell)]
+        self.assertEqual([], list(folder.glob("c[34]/*")))
+        self.assertEqual(2, len(files))
+        self.assertLessEqual(sum(path.stat().st_size for path in files), 3 << 20)
+        for file in files:
             self.assertEqual("limit", self.entries(file)[-1]["end"])
             self.replay(file=file)
 

@@ -215,6 +215,31 @@ class Rewind(unittest.TestCase):
             self.at(monitor, "2", "step", ticks=50)
             self.assertEqual("2-b1", self.at(monitor, "2", "branch", tick=20)["cell"])
 
+    def test_with_private_a_student_has_at_most_four_branches_each_with_a_token(self):
+        environment = {"XR3_TOKEN": "a token of the tests"}
+        with tempfile.TemporaryDirectory() as folder, \
+                Server("--cells", 2, "--private", "--port-file", f"{folder}/ports.json", environment=environment) as xr3:
+            with open(f"{folder}/ports.json", encoding="ascii") as file:
+                first, second = (cell["token"] for cell in json.load(file)["cells"])
+            with xr3.monitor() as monitor:
+                self.unlock(monitor, first)
+                self.at(monitor, "1", "step", ticks=50)
+                tokens = [self.at(monitor, "1", "branch", tick=20)["token"] for _ in range(4)]
+                self.assertEqual(4, len(set(tokens)))
+                self.assertEqual("cell 1 has 4 branches already", self.refused(monitor, "branch", tick=20).message)
+                self.assertEqual({"1"}, names(monitor), "the branches need their tokens")
+                self.unlock(monitor, tokens[0])
+                self.assertEqual({"1", "1-b1"}, names(monitor))
+            with xr3.monitor() as monitor:
+                self.unlock(monitor, second)
+                self.at(monitor, "2", "step", ticks=50)
+                self.assertEqual("2-b1", self.at(monitor, "2", "branch", tick=20)["cell"])
+
+    @staticmethod
+    def unlock(monitor, token):
+        monitor.request("auth", token=token)
+        monitor.read()  # hello
+
     def test_branches_count_for_the_limit(self):
         with Server("--max-cells", "2") as xr3, xr3.monitor() as monitor:
             monitor.call("step", ticks=50)

@@ -69,7 +69,7 @@ class Unit(unittest.TestCase):
         with socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as manager:
             manager.bind(str(self.folder / "notify"))
             manager.settimeout(DEADLINE_S)
-            environment = {"NOTIFY_SOCKET": str(self.folder / "notify"), "WATCHDOG_USEC": "200000"}
+            environment = {"NOTIFY_SOCKET": str(self.folder / "notify"), "WATCHDOG_USEC": "1000000"}
             with Server(command=self.command(), clock="real", environment=environment) as xr3:
                 self.assertEqual(["READY=1", "WATCHDOG=1"], [manager.recv(64).decode() for _ in range(2)])
                 with xr3.monitor() as monitor:

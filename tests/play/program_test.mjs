@@ -84,15 +84,6 @@ test("while Python comes, a bar shows how much of it, until all has come", () =>
   assert.equal(await page.isHidden("#python-loading"), true);
 }));
 
-test("if a file of Python does not come, it is asked for again, three times at most", () => withProgram({}, async (page, { run }) => {
-  let asked = 0;
-  await page.context().route("**/pyodide.asm.mjs", (route) => (++asked <= 4 ? route.abort() : route.continue()));
-  assert.equal((await run("print('runs')")).state, "Not run");
-  assert.equal(asked, 3);
-  assert.deepEqual(await run("print('runs')"), { state: "Ended", output: "runs" });
-  page.errors.splice(0);
-}));
-
 test("a traceback leads to its line; the next run begins anew; input() asks; the robot's time is the program's", () => withProgram({}, async (page, { start, end, run }) => {
   const { state, output } = await run("x = 1\n\ndef f():\n    y = undefined_name\nf()\n");
   assert.equal(state, "Ended with exit code 1");

@@ -56,14 +56,6 @@ test("faults of lines act on it; an endless loop is stopped; Reset and run begin
   assert.doesNotMatch(await page.textContent("#examples-menu"), /Exercises/);
 }));
 
-test("if a file of Python does not come, it is asked for again", () => withProgram([], async ({ page, run }) => {
-  let asked = 0;
-  await page.context().route("**/pyodide.asm.mjs", (route) => (++asked === 1 ? route.abort() : route.continue()));
-  assert.deepEqual(await run("print('runs')"), { state: "Ended", output: "runs" });
-  assert.equal(asked, 2);
-  page.errors.splice(0);
-}));
-
 test("with a token, the lines and the monitor of a program have that of the page", async () => {
   const file = `${await mkdtemp(`${tmpdir()}/xr3-`)}/token`;
   await writeFile(file, "a-token-of-the-tests", { mode: 0o600 });

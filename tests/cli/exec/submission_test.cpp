@@ -50,5 +50,36 @@ TEST_F(SubmissionTest, AFolderInTheFolderIsNoFile) {
   EXPECT_EQ(main_of(folder, "main.py"), std::nullopt);
 }
 
+TEST_F(SubmissionTest, TheTextOfItsFilesDiffersIfOneWasChangedAddedOrRemoved) {
+  const fs::path main = write("ada/main.py");
+  const fs::path ada = main.parent_path();
+  const std::string first = files_of(ada);
+  EXPECT_TRUE(first.ends_with(" 8 main.py\n")) << first;
+  write("ada/.git/index");
+  write("ada/__pycache__/main.pyc");
+  EXPECT_EQ(files_of(ada), first);
+  const fs::path other = write("ada/parts/other.py");
+  EXPECT_TRUE(files_of(ada).ends_with(" 8 parts/other.py\n"));
+  fs::remove(other);
+  EXPECT_EQ(files_of(ada), first);
+  std::ofstream(main) << "PRINT()\n";
+  EXPECT_NE(files_of(ada), first);
+}
+
+TEST_F(SubmissionTest, OfALargeFileSizeAndTimeCount) {
+  const fs::path file = write("ada.bin");
+  fs::resize_file(file, std::size_t{16} << 20U);
+  const std::string hashed = files_of(file);
+  EXPECT_EQ(hashed.find(' '), 64U) << hashed;
+  fs::resize_file(file, (std::size_t{16} << 20U) + 1);
+  EXPECT_NE(files_of(file).find(' '), 64U);
+}
+
+TEST_F(SubmissionTest, OfARefusedSubmissionTheReasonCounts) {
+  const fs::path link = folder_.file("ada.py");
+  fs::create_symlink("/etc/passwd", link);
+  EXPECT_EQ(files_of(link), why_refused(link) + "\n");
+}
+
 }  // namespace
 }  // namespace xr3

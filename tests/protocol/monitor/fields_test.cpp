@@ -65,6 +65,7 @@ TEST(MonitorFields, EventsHaveTheFieldsOfAllKinds) {
       CellClosedNote{"c1"},
       NoticeNote{"Save your work"},
       RecordingNote{},
+      ContinuedNote{},
   };
   Json all = Json::object();
   for (const CellNote& note : notes)

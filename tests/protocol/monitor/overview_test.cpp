@@ -24,7 +24,8 @@ TEST(Overview, ShowsAMachine) {
             R"("owner":null,"moving":false,"stalled":null,"holding":null,)"
             R"("recording_failed":false,"last_input_tick":null,"epoch":0,"tick":0,)"
             R"("joints":[0.0,-90.0,90.0,0.0,-90.0],"tool":50.8,)"
-            R"("paused":false,"frozen":false,"viewers":0,"last_input_at":null,)"
+            R"("paused":false,"frozen":false,"coming_back":false,"viewers":0,)"
+            R"("last_input_at":null,)"
             R"("last_command":null,"stalled_at":null,"last_warning":null,"goals":null,)"
             R"("points":null})");
 }

@@ -39,9 +39,7 @@ TEST_F(AttentionTest, ShowsTheLastCommandAsItWasSent) {
   EXPECT_EQ(summary().last_command, (monitor::CommandSummary{"E?", 1, true}));
   EXPECT_GE(*summary().last_input_at, before);
   send("50\r");
-  ASSERT_TRUE(summary().last_command);
-  EXPECT_EQ(summary().last_command->text.substr(0, 4), "F+50");
-  EXPECT_FALSE(summary().last_command->has_reply);
+  EXPECT_EQ(summary().last_command, (monitor::CommandSummary{"F+50", 1, false}));
 }
 
 TEST_F(AttentionTest, CountsEqualCommandsInARow) {

@@ -70,6 +70,19 @@ TEST_F(ListenerTest, AConnectionDoesNotBlockAndIsNotInherited) {
   EXPECT_NE(::fcntl(descriptor, F_GETFD) & FD_CLOEXEC, 0);
 }
 
+TEST_F(ListenerTest, HeldConnectionsWaitInTheKernel) {
+  int waiting = 0;
+  listener.hold([&] { ++waiting; });
+  const tcp::socket peer = client();
+  settle();
+  listener.accept_pending();
+  EXPECT_EQ(waiting, 1);
+  EXPECT_TRUE(accepted.empty());
+  listener.release();
+  settle();
+  EXPECT_EQ(accepted.size(), 1U);
+}
+
 TEST_F(ListenerTest, ThePeerIsKnown) {
   const tcp::socket peer = client();
   settle();

@@ -50,18 +50,6 @@ TEST_F(RecordingFiles, NoLinkIsFollowed) {
   EXPECT_THROW(RecordingFile(path("none/a")), FileError);
 }
 
-TEST_F(RecordingFiles, EachRunHasANewFolderOfItsOwnerAlone) {
-  const auto start = std::chrono::system_clock::from_time_t(1'000'000'000);
-  const std::string folder = path("class");
-  EXPECT_EQ(make_run_folder(folder, start), folder + "/2001-09-09T01-46-40Z");
-  EXPECT_EQ(make_run_folder(folder, start), folder + "/2001-09-09T01-46-40Z-2");
-  EXPECT_EQ(make_run_folder(folder, start), folder + "/2001-09-09T01-46-40Z-3");
-  EXPECT_EQ(make_run_folder(folder, start + std::chrono::seconds(1)),
-            folder + "/2001-09-09T01-46-41Z");
-  for (const auto& each : {folder, folder + "/2001-09-09T01-46-40Z-2"})
-    EXPECT_EQ(fs::status(each).permissions(), fs::perms::owner_all) << each;
-}
-
 TEST_F(RecordingFiles, ANameThatIsTakenGetsTheTimeOfTheStart) {
   const auto start = std::chrono::system_clock::from_time_t(1'000'000'000);
   EXPECT_EQ(unused_path(path("a.b.xr3rec"), start), path("a.b.xr3rec"));
@@ -74,20 +62,6 @@ TEST_F(RecordingFiles, ANameThatIsTakenGetsTheTimeOfTheStart) {
   fs::create_symlink(path("elsewhere"), path("link.c"));
   EXPECT_EQ(unused_path(path("link.c"), start), path("link-20010909T014640Z.c"));
   EXPECT_THROW(unused_path(folder_.string(), start), FileError);
-}
-
-TEST_F(RecordingFiles, RunsOfOneSecondAreLimited) {
-  const auto start = std::chrono::system_clock::from_time_t(0);
-  for (int i = 0; i < 100; ++i) make_run_folder(path("class"), start);
-  EXPECT_THROW(make_run_folder(path("class"), start), FileError);
-}
-
-TEST_F(RecordingFiles, AFolderThatCannotBeMadeIsRefused) {
-  { RecordingFile file(path("a")); }
-  const auto start = std::chrono::system_clock::now();
-  EXPECT_THROW(make_run_folder(path("a"), start), FileError);
-  EXPECT_THROW(make_run_folder(path("none/class"), start), FileError);
-  EXPECT_TRUE(read_file(path("a")).text.empty());
 }
 
 // A limit of the process stands for a full disk.

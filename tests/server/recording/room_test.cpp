@@ -33,6 +33,19 @@ TEST(RecordingRoomTest, LooksOnceASecond) {
   EXPECT_EQ(looks, 2);
 }
 
+TEST(RecordingRoomTest, HasWhatIsLeftOfTheRunAndOfTheDisk) {
+  DiskSpace space{2000 * kGiB, kGiB};
+  RecordingRoom room(
+      kGiB, [&](const std::string&) { return space; }, 1);
+  EXPECT_EQ(room.left("a", 0), kGiB / 2) << "of the disk";
+  room.take(kGiB * 3 / 4);
+  EXPECT_EQ(room.left("a", 1), kGiB / 4) << "of the run";
+  space.free = 0;
+  EXPECT_EQ(room.left("a", 2), 0U);
+  space = {};
+  EXPECT_EQ(room.left("a", 3), kGiB / 4) << "unknown";
+}
+
 TEST(RecordingRoomTest, KnowsTheSpaceOfAFileThatIsToBeMade) {
   const std::filesystem::space_info now = std::filesystem::space(".");
   EXPECT_EQ(disk_space("some.xr3rec").size, now.capacity);

@@ -28,6 +28,10 @@ CellCounters some_counters() {
   counters.wrong_tokens = 8;
   counters.robot_port = {11, 12};
   counters.monitor_port = {13, 14};
+  counters.lines_max = 15;
+  counters.allocated_bytes = 16;
+  counters.allocated_max = 17;
+  counters.recording_room = 18;
   counters.loop_lag_ns = 2'500'000;
   return counters;
 }
@@ -74,6 +78,10 @@ TEST(Metrics, EveryCounterHasASample) {
   const std::map<std::string, double> expected{
       {R"(xr3_lines_open{cell="main"})", 2},
       {R"(xr3_lines_total{cell="main"})", 7},
+      {R"(xr3_lines_max{cell="main"})", 15},
+      {R"(xr3_allocated_bytes{cell="main"})", 16},
+      {R"(xr3_allocated_max_bytes{cell="main"})", 17},
+      {R"(xr3_recording_room_bytes{cell="main"})", 18},
       {R"(xr3_bytes_in_total{cell="main"})", 123},
       {R"(xr3_bytes_out_total{cell="main"})", 45},
       {R"(xr3_commands_total{cell="main",kind="move"})", 9},
@@ -103,7 +111,7 @@ TEST(Metrics, EveryCounterHasASample) {
     ASSERT_TRUE(samples.contains(name)) << name;
     EXPECT_EQ(samples.at(name), value) << name;
   }
-  EXPECT_EQ(samples.size(), 21 + kLineCloseReasons + kCommandKinds + 1 + 2 * kChannels);
+  EXPECT_EQ(samples.size(), 25 + kLineCloseReasons + kCommandKinds + 1 + 2 * kChannels);
 }
 
 TEST(Metrics, SumsOfManyCellsNameNoCell) {
@@ -117,6 +125,11 @@ TEST(Metrics, SumsOfManyCellsNameNoCell) {
 TEST(Metrics, WhatTheSystemDoesNotTellIsAbsent) {
   const auto samples = parsed(metrics_text("main", some_counters(), {}));
   for (const auto& [name, value] : samples) EXPECT_FALSE(name.starts_with("process_")) << name;
+}
+
+TEST(Metrics, WithoutRecordingsThereIsNoRoomForThem) {
+  const auto samples = parsed(metrics_text("main", {}, kProcess));
+  EXPECT_FALSE(samples.contains(R"(xr3_recording_room_bytes{cell="main"})"));
 }
 
 TEST(Metrics, LargeCountsAreNotRounded) {

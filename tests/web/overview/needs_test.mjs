@@ -31,7 +31,7 @@ test("each reason in words", () => {
     [{ paused: true, pausedSince: null }, "silent", "Paused."],
     [{ last_input_at: s(400) }, "silent", "Silent for 6 minutes."],
     [{ last_input_at: s(400), lines: 0 }, "silent", "Silent for 6 minutes."],
-    [{ last_input_at: null, last_command: null, lines: 0, viewers: 0 }, "silent", "Nobody has opened this robot yet."],
+    [{ last_input_at: null, last_command: null, lines: 0, viewers: 0 }, "silent", "Nobody has opened this robot since the server started."],
     [{ last_input_at: null, last_command: null, lines: 1, viewers: 0 }, "silent", "Connected, and nothing was sent yet."],
     [{ goals: [true, true], points: [12, 12] }, "done", "Finished, 12 of 12 points."],
     [{ coming_back: true, last_input_at: null, viewers: 0 }, "none", "Coming back: its recording is replayed."],

@@ -1,7 +1,6 @@
 // @ts-check
 // The page's side of a robot without a server: begins the worker in which the robot lives, carries the messages of its monitor as a
 // WebSocket does (lib/connection.js), and runs programs.
-import { Attempts } from "./attempts.js";
 import { numberOf, textOf } from "./start_worker.js";
 import { Workers } from "./workers.js";
 
@@ -24,7 +23,6 @@ export class Machine {
   recording = "";
   tick = 0;
   isRunning = false; // a program
-  attempts = new Attempts();
   isOpened = false; // a recording, after the start
   /** @type {{resolve: (text: string) => void, reject: (error: Error) => void}[]} */
   waiting = []; // for the results of copies, which come in the order of the questions
@@ -151,8 +149,6 @@ export class Machine {
 
   /** @param {Program} program */
   run(program) {
-    this.program = program;
-    this.attempts.begin();
     this.isRunning = true;
     this.worker?.post({ run: program });
   }
@@ -188,7 +184,6 @@ export class Machine {
     this.listener?.python(state, loaded);
   }
   #started() {
-    this.attempts.end();
     this.workers.prepare();
     this.watching ??= setInterval(() => this.#setSilent(performance.now() - this.heardAt > kSilentMs), kSilentMs / 2);
   }
@@ -203,11 +198,10 @@ export class Machine {
     this.#over();
     this.listener?.ended(end);
   }
-  /** Python could not be loaded, or has failed: another worker tries, or runs the next program. @param {string} why */
+  /** Python could not be loaded, or has failed: the next run gets a worker that can load it. @param {string} why */
   #refused(why) {
-    this.#replaceWorker();
-    if (!this.stopping && this.attempts.again()) return this.worker.post({ run: this.program });
     this.#over();
+    this.#replaceWorker();
     this.listener?.refused(why);
   }
   #over() {

@@ -1,7 +1,6 @@
 // @ts-check
 // Programs in the page that move a server's robot: they run in a worker of their own, and their lines are WebSockets to the server.
 import { folder } from "../lib/folder.js";
-import { Attempts } from "./attempts.js";
 import { numberOf, startWorker, textOf } from "./start_worker.js";
 
 /** @typedef {import("./machine.js").Program} Program @typedef {import("./machine.js").ProgramListener} ProgramListener */
@@ -16,7 +15,6 @@ export class ServerPrograms {
   listener = null;
   /** @type {Worker | null} */
   worker = null;
-  attempts = new Attempts();
 
   /**
    * @param {() => ServerAddress} getServer @param {() => void} beginAnew resets the robot
@@ -28,15 +26,10 @@ export class ServerPrograms {
 
   /** @param {Program} program */
   run(program) {
-    this.program = program;
-    this.attempts.begin();
-    this.#begin();
-  }
-  #begin() {
     this.isRunning = true;
     this.worker ??= this.#startWorker();
     this.worker.postMessage({ begin: { server: this.getServer(), python: String(new URL("python/", folder)) } });
-    this.worker.postMessage({ run: this.program });
+    this.worker.postMessage({ run: program });
   }
   #startWorker() {
     const worker = startWorker(String(new URL("assets/server_worker.js", folder)));
@@ -48,7 +41,6 @@ export class ServerPrograms {
   /** @param {Record<string, any>} data */
   #take({ python, output, asks, ended, refused, bytes, of }) {
     if (ended !== undefined || refused !== undefined) this.isRunning = false;
-    if (python === "ready") this.attempts.end();
     if (python !== undefined) this.listener?.python(textOf(python), { bytes: numberOf(bytes), of: numberOf(of) });
     if (output !== undefined) this.listener?.output({ stream: textOf(output?.stream), text: textOf(output?.text) });
     if (asks !== undefined) this.listener?.asks(textOf(asks));
@@ -58,8 +50,7 @@ export class ServerPrograms {
   /** @param {string} why */
   #refused(why) {
     this.#endWorker();
-    if (this.attempts.again()) this.#begin();
-    else this.listener?.refused(why);
+    this.listener?.refused(why);
   }
   #endWorker() {
     this.worker?.terminate();

@@ -34,8 +34,8 @@ async function run(program) {
   try {
     python ??= Python.loadWatched(folder, printer(post, () => {}), (bytes) => post({ python: "loading", bytes, of: XR3_PYTHON_BYTES }));
     const its = await python;
-    post({ python: "ready" });
     if (!its.canWait) throw new Error(kNoWait);
+    post({ python: "ready" });
     time = new ProgramTime(wall, yielding);
     const environ = { XR3_HOST: "robot", XR3_PORT: "9600", XR3_MONITOR_PORT: "9601" };
     post({ ended: { code: await its.run(new ProgramRobot(connections, time, ask), { ...program, environ }) } });

@@ -127,7 +127,7 @@ export class CellCard {
 
 /** The last command, how often it came in a row, and how long ago. @param {Known} cell @param {number} now */
 function lastText({ last_command: command, last_input_at: at }, now) {
-  if (at === null) return "never used";
+  if (at === null) return "not used yet";
   const times = command && command.count > 1 ? ` ×${command.count}` : "";
   return `${command ? `${command.text}${times} ` : ""}${shortSpan(now - at)} ago`;
 }

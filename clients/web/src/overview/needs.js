@@ -50,7 +50,7 @@ const silent = ({ last_input_at: since, moving }, now) => since !== null && !mov
 /** @type {Reason} */
 const unused = ({ last_input_at: at, lines, viewers }) => {
   if (at !== null || (lines === 0 && viewers > 0)) return null;
-  return { why: lines > 0 ? "Connected, and nothing was sent yet." : "Nobody has opened this robot yet." };
+  return { why: lines > 0 ? "Connected, and nothing was sent yet." : "Nobody has opened this robot since the server started." };
 };
 
 /** @type {Reason} */
