@@ -60,17 +60,21 @@ const plots = async (page, server) => {
 await still("rhino-xr3", "light", teach, "viewer-teach");
 await still("rhino-xr3", "light", plots, "viewer-plots");
 
-const school = await serve("--cells", "24", "--cell", "9=adept-one,adept-one", "--cell", "14=intelledex-660,intelledex-660");
+// A class in an exercise whose goals are met by E+70 twice: some have finished, some need help.
+const kNames = "ada alan barbara charles donald edsger frances grace hedy ivan john karen leslie margaret niklaus ole peter radia shafi tim ursula vint whitfield xiao".split(" ");
+const kWaits = 16_000; // so long a card takes to say that a program waits for a reply
+const school = await serve("--cells", "0", ...kNames.flatMap((name) => ["--cell", `${name}=`]), "--exercise", "01-hello");
 const { value } = await ask(school.monitor, { op: "call", fn: "cells", args: {} });
 const all = await open(school.url, { viewport: kSize });
 await all.waitForSelector(".card canvas");
-await all.click("#overview-order [data-order=name]");
-const programs = value.cells.filter((_, i) => i % 3 === 0).map(({ robot_port }) => connect(robot_port, "127.0.0.1"));
-programs.forEach((program, i) => program.write(`E+${20 + 9 * i}\rD-${10 + 8 * i}\r`));
-await all.waitForSelector(".card[data-kind=moving]");
-await all.waitForSelector(".card[data-kind=moving]", { state: "detached" });
-programs.forEach((program, i) => i % 2 === 0 && program.write(`F${i % 4 === 0 ? "+" : "-"}120\r`));
-await all.waitForFunction((count) => document.querySelectorAll(".card[data-kind=moving]").length > count, 2);
+const programs = value.cells.slice(0, 20).map(({ robot_port }) => connect(robot_port, "127.0.0.1"));
+const write = (bytesOf) => programs.forEach((program, i) => program.write(bytesOf(i) ?? ""));
+const isDone = (i) => i % 4 === 3;
+write((i) => (isDone(i) ? "E+70\r" : i === 0 ? "E+50\r" : null));
+await all.waitForTimeout(kWaits);
+write((i) => (isDone(i) ? "E+70\rE?" : i === 1 ? "E+300\r".repeat(14) : i === 2 ? "E+127\rE+127\rE+127\r" : i % 4 === 2 ? "E?".repeat(i) : i > 0 ? `F+${100 + i}\rE+${60 + 3 * i}\rE?` : null));
+await all.waitForSelector(".card[data-need=done]");
+await all.waitForSelector(".card[data-need=help] .why:has-text('Waits')");
 await all.screenshot({ path: `${docs}/viewer-overview.png` });
 for (const program of programs) program.destroy();
 await all.context().close();

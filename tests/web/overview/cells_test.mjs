@@ -154,7 +154,7 @@ test("a teacher freezes one robot of the class, sends a message, and lets it con
   }));
 
 test("the overview shows from the server’s own messages who needs help", () =>
-  withServer(["--cells", "3", "--exercise", "stack"], "", async (page, server) => {
+  withServer(["--cells", "3", "--exercise", "01-hello"], "", async (page, server) => {
     await page.waitForSelector(".card");
     assert.match(await page.textContent(".card[data-cell='1'] .why"), /^Nobody has opened this robot since the server started\.$/);
     await type(await portOf(server, "2"), "E+300\rE+300\rE+300\r");

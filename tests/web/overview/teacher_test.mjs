@@ -158,12 +158,12 @@ test("slips have name, link, its code and what to type, in the order of names, a
     await page.fill("#host", "192.168.1.7");
     await page.click("#ask-host button[value=ok]");
     await page.waitForSelector(".slip");
-    assert.deepEqual(await page.locator(".slip h3").allTextContents(), ["1", "2", "3", "10", "ada"]);
+    assert.deepEqual(await page.locator(".slip h2").allTextContents(), ["1", "2", "3", "10", "ada"]);
     const { port } = new URL(page.url());
-    const slip = page.locator(".slip", { has: page.locator("h3:text-is('2')") });
+    const slip = page.locator(".slip", { has: page.locator("h2:text-is('2')") });
     assert.equal(await slip.locator(".link").textContent(), `http://192.168.1.7:${port}/cell/2#token=only-for-2%2B`);
     assert.deepEqual(await slip.locator("code").allTextContents(), ["telnet 192.168.1.7 9702", "export XR3_HOST=192.168.1.7 XR3_PORT=9702"]);
-    assert.equal(await page.locator(".slip", { has: page.locator("h3:text-is('10')") }).locator("code").count(), 0, "it has no port of its own");
+    assert.equal(await page.locator(".slip", { has: page.locator("h2:text-is('10')") }).locator("code").count(), 0, "it has no port of its own");
     assert.equal(await slip.locator("svg.code path").count(), 1);
     assert.deepEqual(await broken(page), []);
     await page.click("#slip-host");
@@ -171,7 +171,7 @@ test("slips have name, link, its code and what to type, in the order of names, a
     await page.click("#ask-host button[value=ok]");
     await page.waitForSelector(".slip .link:has-text('rhino.school')");
     await page.fill("#slip-search", "AD");
-    assert.deepEqual(await page.locator(".slip:visible h3").allTextContents(), ["ada"]);
+    assert.deepEqual(await page.locator(".slip:visible h2").allTextContents(), ["ada"]);
     await page.keyboard.press("Escape");
     await page.waitForSelector(".card:visible");
     assert.ok(await page.isHidden("#slips"));

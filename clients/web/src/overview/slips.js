@@ -84,7 +84,7 @@ export class Slips {
     const link = this.links.knownLink(name, token);
     const lines = linesFor(host, port).map((line) => el("code", {}, line));
     const programs = [el("p", {}, `Programs connect to ${host}, port ${port}:`), ...lines];
-    const slip = el("li.slip", {}, el("h3", {}, name), codeOf(link), el("p.link", {}, link), ...(port === null ? [] : programs));
+    const slip = el("li.slip", {}, el("h2", {}, name), codeOf(link), el("p.link", {}, link), ...(port === null ? [] : programs));
     slip.dataset.name = name;
     return slip;
   }

@@ -51,6 +51,12 @@ export class ControlLock {
     return [...this.reasons.values()].find((each) => concerns(each, control))?.reason ?? null;
   }
 
+  /** Gives a control another title, which it shows while it is not locked. @param {HTMLElement} control @param {string} title */
+  setTitle(control, title) {
+    if ("locked" in control.dataset) control.dataset.locked = title;
+    else control.title = title;
+  }
+
   /** Locks new controls. Controls that are disabled for another reason stay disabled. */
   apply() {
     for (const control of /** @type {NodeListOf<HTMLButtonElement>} */ (document.querySelectorAll("[data-call]"))) {

@@ -48,7 +48,7 @@ export class TimeBar {
     button.classList.toggle("primary", isPaused);
     if (button.ariaLabel === name) return;
     button.ariaLabel = name;
-    if (!this.lock.reasonOn(button)) button.title = name;
+    this.lock.setTitle(button, name);
     button.querySelector("use").setAttribute("href", isPaused ? "#i-go" : "#i-pause");
   }
 
