@@ -14,6 +14,7 @@ const told = (change) => {
   return [kind, why];
 };
 const kNothing = ["none", ""];
+const kEnded = { lines: 0, goals: [true, false, false], points: [1, 3] };
 
 test("a robot that moves or has just got a command needs nothing", () => {
   assert.deepEqual(told({}), kNothing);
@@ -27,6 +28,9 @@ test("each reason in words", () => {
     [warning(14, 300), "help", "The same warning 14 times: “a move is -128 to 127 counts”."],
     [warning(1, 20), "help", "A warning: “a move is -128 to 127 counts”."],
     [{ last_input_at: s(16), last_command: { text: "E+50", count: 1, has_reply: false } }, "help", "Waits for a reply that never comes: asked nothing after E+50."],
+    [{ ...kEnded, last_input_at: s(40) }, "silent", "Its program ended 40 s ago, with 1 of 3 goals."],
+    [{ ...kEnded, last_input_at: s(400) }, "silent", "Its program ended 6 minutes ago, with 1 of 3 goals."],
+    [{ ...kEnded, last_input_at: s(40), goals: [false] }, "silent", "Its program ended 40 s ago, with 0 of 1 goal."],
     [{ paused: true, pausedSince: s(250) }, "silent", "Paused for 4 minutes."],
     [{ paused: true, pausedSince: null }, "silent", "Paused."],
     [{ last_input_at: s(400) }, "silent", "Silent for 6 minutes."],
@@ -47,22 +51,30 @@ test("reasons count from their time on, and not for ever", () => {
   assert.deepEqual(told(warning(2, 61)), kNothing);
   assert.deepEqual(told(warning(3, 601)), kNothing);
   assert.deepEqual(told({ last_input_at: s(179) }), kNothing);
+  assert.deepEqual(told({ ...kEnded, last_input_at: s(19) }), kNothing, "another program may follow");
+  const others = { "it has a line": { lines: 1 }, "it moves": { moving: true }, "nothing came from a program": { last_command: null }, "there is no exercise": { goals: null } };
+  for (const [why, change] of Object.entries(others)) assert.deepEqual(told({ ...kEnded, last_input_at: s(40), ...change }), kNothing, why);
   assert.deepEqual(told({ paused: true, pausedSince: s(179) }), kNothing);
   assert.deepEqual(told({ last_input_at: null, lines: 0, viewers: 1 }), kNothing, "the page is open");
   assert.deepEqual(told({ goals: [true, false], points: [5, 12] }), kNothing);
   assert.deepEqual(told({ goals: [], points: [0, 0] }), kNothing);
 });
 
-test("the most urgent reason wins, and who is frozen needs nothing but may have finished", () => {
+test("the most urgent reason wins, and who is frozen keeps those that do not come from time that stands", () => {
   const all = {
     stalled: "work_surface", stalled_at: s(100), ...warning(5, 10), lines: 1, last_input_at: s(400), last_command: { text: "E+50", count: 1, has_reply: false },
     paused: true, pausedSince: s(400), goals: [true], points: [1, 1],
   };
-  const kinds = [[{}, /^Stalled/], [{ stalled: null }, /^The same warning/], [{ last_warning: null }, /^Finished/], [{ goals: null }, /^Waits/], [{ lines: 0 }, /^Paused/], [{ paused: false }, /^Silent/]];
+  const kinds = [[{}, /^Stalled/], [{ stalled: null }, /^The same warning/], [{ last_warning: null }, /^Finished/], [{ goals: [false] }, /^Waits/], [{ lines: 0 }, /^Its program ended/], [{ goals: null }, /^Paused/], [{ paused: false }, /^Silent/]];
   const now = { ...all };
-  for (const [change, why] of kinds) assert.match(needOf(cell(Object.assign(now, change)), kNow).why, why);
-  assert.deepEqual(told({ ...all, frozen: true, goals: [false] }), kNothing);
-  assert.equal(told({ ...all, frozen: true })[0], "done");
+  const needs = kinds.map(([change]) => needOf(cell(Object.assign(now, change)), kNow));
+  kinds.forEach(([, why], i) => assert.match(needs[i].why, why));
+  const ranks = needs.filter(({ kind }) => kind !== "done").map(({ rank }) => rank);
+  assert.deepEqual(ranks, ranks.toSorted((a, b) => a - b), "the places in the order of need");
+  const frozen = { ...all, frozen: true };
+  for (const [change, why] of kinds.slice(0, 3)) assert.match(told(Object.assign(frozen, change))[1], why);
+  for (const [change] of kinds.slice(3)) assert.deepEqual(told(Object.assign(frozen, change)), kNothing);
+  assert.deepEqual(told({ frozen: true, last_input_at: null, lines: 0, viewers: 0 }), kNothing);
 });
 
 test("spans of time", () => {

@@ -69,7 +69,7 @@ test("freeze and continue go to the chosen robots, or to all; who refuses is nam
     await message(page, "4 goes on.");
     assert.deepEqual(calls(played, "unfreeze"), [["4", {}]]);
     played.send([cellNamed("4", { frozen: true, paused: true, stalled: "work_surface" })]);
-    await page.waitForSelector(".card[data-cell='4'][data-need=none] .chip:has-text('Frozen')");
+    await page.waitForSelector(".card[data-cell='4'][data-need=help]:has(.why:text('Stalled')) .chip:has-text('Frozen')");
   }, { answers: { freeze: ({ cell }) => (["3", "7"].includes(cell) ? { ok: false, error: { code: "has_device", message: "it has a controller", hint: "start it without" } } : {}) } }));
 
 test("start over asks once if several robots are meant", () =>

@@ -1,9 +1,9 @@
 // @ts-check
 // A card of the overview: a link to the page of a cell, with a small live picture while it is on the screen, the reason to look
 // after its student, its goals and its last command.
-import { goalsMet, notesOf, peerText } from "./cell_list.js";
+import { notesOf, peerText } from "./cell_list.js";
 import { cellStatus } from "./cell_status.js";
-import { needOf } from "./needs.js";
+import { goalsMet, needOf } from "./needs.js";
 import { shortSpan } from "./span_text.js";
 import { newChip, showChip } from "../lib/chip.js";
 import { copyText, el, icon, isSame, setText } from "../lib/dom.js";

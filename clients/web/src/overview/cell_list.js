@@ -2,7 +2,7 @@
 // The cells of the overview: kept up to date by messages of the channel `overview`, searched, filtered and sorted.
 // Independent of the page.
 import { cellStatus } from "./cell_status.js";
-import { needOf } from "./needs.js";
+import { goalsMet, needOf } from "./needs.js";
 
 /**
  * @typedef {import("../lib/monitor_types").Cell} Cell
@@ -17,8 +17,6 @@ const collator = new Intl.Collator("en", { numeric: true });
 /** @typedef {{cell: Known, need: Need}} Row */
 /** @param {Row} a @param {Row} b */
 const byName = (a, b) => collator.compare(a.cell.name, b.cell.name);
-/** How many goals are met; -1 without an exercise. @param {Cell} cell */
-export const goalsMet = ({ goals }) => goals?.filter(Boolean).length ?? -1;
 /** @type {Record<Order, (a: Row, b: Row) => number>} */
 const kOrders = {
   name: byName,

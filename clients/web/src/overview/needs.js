@@ -12,6 +12,7 @@ import { spanText } from "./span_text.js";
  */
 
 const kWaitsMs = 15_000; // without a byte after a command that has no reply
+const kEndedMs = 20_000; // after the last byte of a program that has closed its line
 const kSilentMs = 180_000;
 const kFreshMs = 60_000; // a warning counts so long
 const kRepeatedMs = 600_000; // one that came again and again counts longer
@@ -21,6 +22,9 @@ const asSentence = (/** @type {string} */ text) => text[0].toUpperCase() + text.
 const withoutPoint = (/** @type {string} */ text) => text.replace(/\.$/, "");
 /** ms since a moment; Infinity if there was none. @param {number | null} at @param {number} now */
 const ago = (at, now) => (at === null ? Infinity : now - at);
+
+/** How many goals are met; -1 without an exercise. @param {import("../lib/monitor_types").Cell} cell */
+export const goalsMet = ({ goals }) => goals?.filter(Boolean).length ?? -1;
 
 /** @typedef {(cell: Known, now: number) => {since?: number | null, why: string} | false | null} Reason */
 
@@ -41,6 +45,13 @@ const waits = ({ lines, last_command: command, last_input_at: since }, now) => l
   && { since, why: `Waits for a reply that never comes: asked nothing after ${command.text}.` };
 
 /** @type {Reason} */
+function ended(cell, now) {
+  const { lines, last_command: command, last_input_at: since, goals, moving } = cell;
+  if (lines > 0 || command === null || since === null || now - since < kEndedMs || moving || !goals || goalsMet(cell) === goals.length) return null;
+  return { since, why: `Its program ended ${spanText(now - since)} ago, with ${goalsMet(cell)} of ${goals.length} ${goals.length === 1 ? "goal" : "goals"}.` };
+}
+
+/** @type {Reason} */
 const paused = ({ paused: isPaused, pausedSince: since }, now) => isPaused && (since === null || now - since >= kSilentMs)
   && { since, why: since === null ? "Paused." : `Paused for ${spanText(now - since)}.` };
 
@@ -59,11 +70,12 @@ const finished = ({ goals, points }) => goals !== null && goals.length > 0 && go
 /** From the most urgent on, by the kind of need. @type {[Kind, Reason][]} */
 const kReasons = [
   ["none", ({ coming_back: isComing }) => isComing && { why: "Coming back: its recording is replayed." }],
-  ["help", stalled], ["help", warnedAgain], ["help", warned], ["done", finished], ["help", waits], ["silent", paused], ["silent", silent], ["silent", unused],
+  ["help", stalled], ["help", warnedAgain], ["help", warned], ["done", finished], ["help", waits], ["silent", ended], ["silent", paused], ["silent", silent], ["silent", unused],
 ];
-const kOfFrozen = kReasons.filter(([kind]) => kind === "none" || kind === "done"); // who is frozen waits for the teacher
+const kOfTime = new Set([waits, ended, paused, silent, unused]); // which come because time passes without the student
+const kOfFrozen = kReasons.filter(([, reason]) => !kOfTime.has(reason)); // who is frozen waits for the teacher
 /** The places in the order of need; those without a reason come next, and those that have finished last. */
-const kRanks = new Map([stalled, warnedAgain, warned, waits, paused, silent, unused].map((reason, i) => [reason, i]));
+const kRanks = new Map([stalled, warnedAgain, warned, waits, ended, paused, silent, unused].map((reason, i) => [reason, i]));
 const kNoReason = kRanks.size;
 /** @param {Kind} kind @param {Reason} reason */
 const rankOf = (kind, reason) => (kind === "done" ? kNoReason + 1 : (kRanks.get(reason) ?? kNoReason));
