@@ -21,8 +21,11 @@ export function codeOf(text) {
   return svg;
 }
 
-/** What to type on the student's machine. @param {string} host @param {number | null} port */
-export const linesFor = (host, port) => (port === null ? [] : [`telnet ${host} ${port}`, `export XR3_HOST=${host} XR3_PORT=${port}`]);
+/** What to type on the student's machine. @param {string} host @param {number} port */
+const linesFor = (host, port) => [
+  el("code", {}, `telnet ${host} ${port}`), el("code", {}, `export XR3_HOST=${host} XR3_PORT=${port}`),
+  el("p.windows", {}, "On Windows:", el("code", {}, `set "XR3_HOST=${host}" & set "XR3_PORT=${port}"`)), // quoted: a blank before & would be part of the value
+];
 
 export class Slips {
   /**
@@ -82,9 +85,8 @@ export class Slips {
   /** @param {Cell} cell @param {string} host */
   #slip({ name, robot_port: port, token }, host) {
     const link = this.links.knownLink(name, token);
-    const lines = linesFor(host, port).map((line) => el("code", {}, line));
-    const programs = [el("p", {}, `Programs connect to ${host}, port ${port}:`), ...lines];
-    const slip = el("li.slip", {}, el("h2", {}, name), codeOf(link), el("p.link", {}, link), ...(port === null ? [] : programs));
+    const programs = port === null ? [] : [el("p.programs", {}, "Programs on your own machine:"), ...linesFor(host, port)];
+    const slip = el("li.slip", {}, codeOf(link), el("h2", {}, name), el("p", {}, "Your robot, in a browser:"), el("p.link", {}, link), ...programs);
     slip.dataset.name = name;
     return slip;
   }
