@@ -279,7 +279,7 @@ function takeHello(hello) {
   scene.jump();
   plots.reconnected();
   if (isOwn) showName(hello.robot.name);
-  byId("all-cells").hidden = !isOverview("/", hello);
+  byId("all-cells").hidden = hello.cells.length === 1; // the only one, or the only one that a student’s token shows
   access.set(hello.access);
   mover.clear();
   known.contest = null; // its lines may be closed since
@@ -361,7 +361,7 @@ function takeState(state) {
   known.arrival = performance.now();
   hands.setState(state);
   if (known.model) for (const panel of [...views, plots]) panel.setState(state);
-  lock.set("frozen", state.clock.frozen ? `${kFrozen} It goes on by itself.` : null, { only: kOfTime });
+  lock.set("frozen", state.clock.frozen ? `${kFrozen.what} ${kFrozen.rest}` : null, { only: kOfTime });
   for (const panel of [timeBar, digitalLines, device]) panel.setState(state);
   rewind.setPresent(state);
   menu.show();

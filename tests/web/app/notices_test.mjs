@@ -43,10 +43,22 @@ test("a notice stands until it is closed, also on a page that opens later, and i
     assert.deepEqual(await notices(page), ["Your teacher: Really."]);
   }, { picture: false }));
 
-test("frozen time says so, locks the controls of time alone, and goes on by itself", () =>
+test("a notice lies above the things to try of a first visit", () =>
+  withPage([], async (page, server) => {
+    await page.waitForSelector("#first-steps:visible");
+    await call(server.monitor, "notice", { text: "Please look at the screen, ".repeat(15) });
+    await page.waitForSelector("#notices .banner");
+    assert.ok(await page.evaluate(() => {
+      const [notice, steps] = ["#notices .banner", "#first-steps"].map((selector) => document.querySelector(selector).getBoundingClientRect());
+      const [x, y] = [Math.max(notice.left, steps.left) + 5, (Math.max(notice.top, steps.top) + Math.min(notice.bottom, steps.bottom)) / 2];
+      return x < steps.right && y < steps.bottom && y > steps.top && document.elementFromPoint(x, y).closest("#notices");
+    }));
+  }, { picture: false }));
+
+test("frozen time says so, locks the controls of time alone, and goes on when the teacher continues", () =>
   withPage([], async (page, server) => {
     await call(server.monitor, "freeze");
-    await page.waitForSelector("#banner[data-kind=paused]:has-text('Your teacher has stopped time. It goes on by itself.')");
+    await page.waitForSelector("#banner[data-kind=paused]:has-text('Your teacher has stopped time. It goes on when your teacher continues.')");
     assert.equal(await page.textContent("#status"), "Frozen");
     assert.ok(await page.isHidden("#banner-act"));
     for (const id of ["pause", "step", "rate"]) assert.ok(await page.isDisabled(`#${id}`), id);

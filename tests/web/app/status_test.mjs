@@ -48,7 +48,7 @@ test("each status that stops the robot has one sentence and one action", () => {
 
 test("a frozen robot waits for the teacher: there is no button", () => {
   const frozen = statusOf(situation({}, { clock: { mode: "manual", frozen: true }, stalled: "work_surface", joints: [motor("F", 5)] }));
-  assert.deepEqual([frozen.kind, frozen.word, say(frozen), frozen.action], ["paused", "Frozen", "Your teacher has stopped time. It goes on by itself.", undefined]);
+  assert.deepEqual([frozen.kind, frozen.word, say(frozen), frozen.action], ["paused", "Frozen", "Your teacher has stopped time. It goes on when your teacher continues.", undefined]);
   assert.equal(statusOf(situation({ place: { epoch: 0, tick: 1 } }, { clock: { mode: "manual", frozen: true } })).kind, "past");
 });
 

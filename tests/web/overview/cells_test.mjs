@@ -94,6 +94,7 @@ test("a student's token opens only the student's robot", () =>
     await ready(page);
     await page.waitForSelector("body:not(.read-only)");
     assert.equal(page.url(), `${server.url}cell/2`);
+    assert.ok(await page.isHidden("#all-cells"), "there is nothing else to be seen");
     await page.click("#home");
     await page.goto(`${server.url}cell/1`);
     await page.waitForSelector("#message:has-text('There is no robot 1')");

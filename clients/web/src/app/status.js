@@ -14,7 +14,7 @@ import { armStatus, stallText } from "../lib/arm_status.js";
  */
 
 /** Why time stands while the teacher has frozen the robot. */
-export const kFrozen = "Your teacher has stopped time.";
+export const kFrozen = { what: "Your teacher has stopped time.", rest: "It goes on when your teacher continues." };
 const kQuietS = 1; // without a state, while a motor moves
 
 /** 3:32, or 1:02:05 from an hour on. @param {number} ticks @param {number} hz */
@@ -86,7 +86,7 @@ function fault(state) {
 }
 
 /** @param {any} state @returns {Status | null} */
-const frozen = ({ clock }) => (clock.frozen ? { kind: "paused", word: "Frozen", what: kFrozen, rest: "It goes on by itself." } : null);
+const frozen = ({ clock }) => (clock.frozen ? { kind: "paused", word: "Frozen", ...kFrozen } : null);
 
 /** @param {Situation} now @returns {Status} */
 export function statusOf(now) {
