@@ -35,11 +35,11 @@ const lock = new ControlLock();
 const access = new Access({ connection, lock, onError: showError, onUnlocked: () => location.reload() });
 const links = new StudentLinks({ location });
 const overview = new OverviewPanel({
-  host: byId("cards"), chips,
+  host: byId("cards"), chips, lock,
   getModel: (cell) => connection.get("model", { cell }), getLink: (name, token) => links.linkOf(name, token), onNew: askCells,
 });
 new Actions({
-  targets: () => overview.targets, lock, show: (text) => messages.show(text), onError: showError,
+  targets: () => overview.targets, isOpen: (name) => overview.list.get(name)?.viewers > 0, lock, show: (text) => messages.show(text), onError: showError,
   call: (cell, fn, args) => connection.request({ op: "call", cell, fn, args }),
 });
 const slips = new Slips({
@@ -47,10 +47,7 @@ const slips = new Slips({
   getCells: async () => (await connection.call("cells")).cells,
 });
 byId("slips-button").onclick = () => slips.open();
-byId("overview-choose").onclick = () => {
-  overview.chooseShown();
-  byId("overview-none").focus();
-};
+byId("overview-choose").onclick = () => overview.chooseShown();
 byId("overview-none").onclick = () => {
   overview.choice.clear();
   byId("overview-choose").focus();
@@ -62,7 +59,9 @@ let asked = null;
 function askCells() {
   asked ??= connection.call("cells").then(({ cells, exercise }) => {
     overview.setTokens(new Map(cells.map((/** @type {{name: string, token: string}} */ { name, token }) => [name, token])));
-    if (exercise) setTitle(exercise.title);
+    if (!exercise) return;
+    setTitle(exercise.title);
+    overview.setGoals(exercise.goals);
   }).catch(() => {}).finally(() => (asked = null));
 }
 

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Choice } from "../../../clients/web/src/overview/choice.js";
-import { eachOf, resultText } from "../../../clients/web/src/overview/each_of.js";
+import { eachOf, noticeDone, resultText } from "../../../clients/web/src/overview/each_of.js";
 
 const kShown = ["a", "b", "c", "d", "e"];
 
@@ -57,4 +57,20 @@ test("results say how many were done, and which were refused and why", () => {
     "2 of 5 robots are frozen.\nNot a, c: it has a controller\nNot e: it is gone");
   const many = Array.from({ length: 12 }, (_, i) => `n${i}`);
   assert.equal(resultText(many, refused(many, "no"), done), "0 of 12 robots are frozen.\nNot n0, n1, n2, n3, n4, n5, n6, n7 and 4 more: no");
+});
+
+test("a message is said to be shown where a page is open", () => {
+  const told = (names, open, gone = []) => {
+    const refusals = gone.map((name) => ({ name, error: { message: "it is gone" } }));
+    return resultText(names, refusals, noticeDone(names, refusals, (name) => open.includes(name)));
+  };
+  const kLater = "A page that is opened within ten minutes shows it.";
+  assert.equal(told(["a", "b"], ["a", "b"]), "2 robots show the message.");
+  assert.equal(told(["a"], ["a"]), "a shows the message.");
+  assert.equal(told(["a", "b", "c"], ["a", "b"]), "3 robots have the message; 2 have a page open, which shows it.");
+  assert.equal(told(["a", "b", "c"], ["b"]), "3 robots have the message; 1 has a page open, which shows it.");
+  assert.equal(told(["a", "b"], []), `2 robots have the message; no page of them is open. ${kLater}`);
+  assert.equal(told(["a"], []), `a has the message; no page of it is open. ${kLater}`);
+  assert.equal(told(["a", "b", "c"], ["a", "c"], ["c"]), "2 of 3 robots have the message; 1 has a page open, which shows it.\nNot c: it is gone");
+  assert.equal(told(["a"], ["a"], ["a"]), "0 of 1 robot show the message.\nNot a: it is gone");
 });

@@ -53,6 +53,8 @@ test("a card shows name, state, need, goals and last command, links to its cell,
     assert.deepEqual(await page.$$eval(".card .chip use", (signs) => signs.map((sign) => sign.getAttribute("href"))), ["#i-alarm", "#i-dot", "#i-moving"]);
     assert.deepEqual(await page.$$eval(".card[data-cell='1'] .dots i", (dots) => dots.map(({ className }) => className)), ["is-met", "is-met", "", "", ""]);
     assert.equal(await page.textContent(".card[data-cell='1'] .met"), "2 of 5");
+    await page.waitForFunction(() => document.querySelector(".card[data-cell='1'] .dots").title === "met: a\nmet: b\nopen: c\nopen: d\nopen: e");
+    for (const part of [".card[data-cell='1'] .last", ".card[data-cell='3'] .why"]) assert.ok(await page.$eval(part, ({ title, textContent }) => title && title === textContent), `${part} may be cut off`);
     assert.match(await page.textContent(".card[data-cell='1'] .last"), /^E\? ×31 1\d s ago$/);
     assert.deepEqual(await page.$$eval(".card", (cards) => cards.map(({ dataset }) => dataset.need)), ["help", "none", "none"]);
     assert.deepEqual(await page.locator(".bar .chip:visible").allTextContents(), ["1 needs help"]);

@@ -35,6 +35,12 @@ export function setText(element, text) {
   if (element.textContent !== text) element.textContent = text;
 }
 
+/** Sets text and title: a text that is cut off where there is no room can be read as a whole. @param {HTMLElement} element @param {string} text */
+export function setCutText(element, text) {
+  setText(element, text);
+  if (element.title !== text) element.title = text;
+}
+
 /** Downloads a text as a file. @param {string} name @param {string} text */
 export function download(name, text, type = "text/plain") {
   const url = URL.createObjectURL(new Blob([text], { type }));

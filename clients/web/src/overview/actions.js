@@ -3,16 +3,17 @@
 import { ask } from "../lib/ask.js";
 import { byId, setText } from "../lib/dom.js";
 import { readWorkcell } from "../workcell/workcell_file.js";
-import { eachOf, resultText, robots } from "./each_of.js";
+import { eachOf, noticeDone, resultText, robots } from "./each_of.js";
 
 export class Actions {
   /**
-   * @param {{targets: () => string[], call: (cell: string, fn: string, args: object) => Promise<unknown>, lock: import("../panels/control_lock.js").ControlLock,
+   * @param {{targets: () => string[], isOpen: (name: string) => boolean, call: (cell: string, fn: string, args: object) => Promise<unknown>, lock: import("../panels/control_lock.js").ControlLock,
    *   show: (text: string) => void, onError: (error: unknown) => void}} parts
-   *   `targets`: the names of the robots that are meant
+   *   `targets`: the names of the robots that are meant; `isOpen`: whether a page of this one is open
    */
-  constructor({ targets, call, lock, show, onError }) {
+  constructor({ targets, isOpen, call, lock, show, onError }) {
     this.targets = targets;
+    this.isOpen = isOpen;
     this.call = call;
     this.lock = lock;
     this.show = show;
@@ -26,12 +27,17 @@ export class Actions {
 
   /** @param {string[]} names @param {string} fn @param {object} args @param {{one: string, many: string}} done */
   async #act(names, fn, args, done) {
+    this.show(resultText(names, await this.#call(names, fn, args), done));
+  }
+
+  /** Calls a function of these robots; resolves to those that refuse. @param {string[]} names @param {string} fn @param {object} args */
+  async #call(names, fn, args) {
     const button = document.activeElement;
     this.lock.set("actions", `Wait until ${robots(names.length)} are done.`);
     const refused = await eachOf(names, (cell) => this.call(cell, fn, args));
     this.lock.set("actions", null);
     if (button instanceof HTMLElement) button.focus(); // which it lost while it was locked
-    this.show(resultText(names, refused, done));
+    return refused;
   }
 
   async #startOver() {
@@ -61,7 +67,8 @@ export class Actions {
     const input = byId("notice-text");
     setText(byId("ask-notice-text"), `It stands on the page of ${names.length === 1 ? names[0] : robots(names.length)} until it is closed there.`);
     if (!(await ask(byId("ask-notice"), () => input.value.trim() !== ""))) return;
-    await this.#act(names, "notice", { text: input.value.trim() }, { one: "shows the message", many: "show the message" });
+    const refused = await this.#call(names, "notice", { text: input.value.trim() });
+    this.show(resultText(names, refused, noticeDone(names, refused, this.isOpen)));
     input.value = "";
   }
 }

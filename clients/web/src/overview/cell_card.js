@@ -6,11 +6,11 @@ import { cellStatus } from "./cell_status.js";
 import { goalsMet, needOf } from "./needs.js";
 import { shortSpan } from "./span_text.js";
 import { newChip, showChip } from "../lib/chip.js";
-import { copyText, el, icon, isSame, setText } from "../lib/dom.js";
+import { copyText, el, icon, isSame, setCutText, setText } from "../lib/dom.js";
 import { pathOfCell } from "../lib/place.js";
 
 /** @typedef {import("./cell_list.js").Known} Known */
-/** @typedef {{onChoose: (name: string, isChosen: boolean, isRange: boolean) => void, getLink: (name: string, token: string) => Promise<string | null>}} Parts */
+/** @typedef {{onChoose: (name: string, isChosen: boolean, isRange: boolean) => void, getLink: (name: string, token: string) => Promise<string | null>, getGoals: () => string[]}} Parts */
 
 const kPicture = { width: 150, height: 116 }; // as in overview.css
 const kMaxDots = 12;
@@ -23,10 +23,11 @@ export function newCanvas() {
 }
 
 export class CellCard {
-  /** @param {string} name @param {Parts} parts `onChoose` is called when it is chosen or not any more; `getLink` gives the student's link */
-  constructor(name, { onChoose, getLink }) {
+  /** @param {string} name @param {Parts} parts `onChoose` is called when it is chosen or not any more; `getLink` gives the student's link, `getGoals` the sentences of the exercise */
+  constructor(name, { onChoose, getLink, getGoals }) {
     this.name = name;
     this.getLink = getLink;
+    this.getGoals = getGoals;
     this.picture = el("div.picture", { "aria-hidden": "true" });
     this.status = newChip();
     this.why = el("p.why");
@@ -99,8 +100,8 @@ export class CellCard {
     if (!this.drawn) return;
     const { kind, why } = needOf(this.drawn, now);
     this.element.dataset.need = kind;
-    setText(this.why, why);
-    setText(this.last, lastText(this.drawn, now));
+    setCutText(this.why, why);
+    setCutText(this.last, lastText(this.drawn, now));
   }
 
   /** @param {Known} cell */
@@ -116,14 +117,17 @@ export class CellCard {
   /** @param {Known} cell */
   #showGoals(cell) {
     const { goals } = cell;
+    this.dots.title = this.met.title = goalsTitle(goals, this.getGoals());
     if (isSame(goals, this.goals)) return;
     this.goals = goals;
     const dots = goals && goals.length <= kMaxDots ? goals : [];
     this.dots.replaceChildren(...dots.map((isMet) => el(isMet ? "i.is-met" : "i")));
     setText(this.met, goals ? `${goalsMet(cell)} of ${goals.length}` : "");
-    this.met.title = "Goals that are met now";
   }
 }
+
+/** The goals by their sentences, one a line; the page may not have these yet. @param {boolean[] | null} goals @param {string[]} texts */
+const goalsTitle = (goals, texts) => (goals?.length === texts.length ? texts.map((text, i) => `${goals[i] ? "met" : "open"}: ${text}`).join("\n") : "Goals that are met now");
 
 /** The last command, how often it came in a row, and how long ago. @param {Known} cell @param {number} now */
 function lastText({ last_command: command, last_input_at: at }, now) {

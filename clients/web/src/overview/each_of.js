@@ -42,3 +42,17 @@ export function resultText(names, refused, { one, many }) {
   for (const { name, error } of refused) reasons.set(textOf(error), [...(reasons.get(textOf(error)) ?? []), name]);
   return [`${who} ${count === 1 ? one : many}.`, ...[...reasons].map(([reason, whose]) => `Not ${listed(whose)}: ${reason}`)].join("\n");
 }
+
+const kLater = "A page that is opened within ten minutes shows it";
+
+/**
+ * What robots did with a message, for `resultText`: only an open page shows it.
+ * @param {string[]} names @param {Refusal[]} refused @param {(name: string) => boolean} isOpen whether a page of this robot is open
+ */
+export function noticeDone(names, refused, isOpen) {
+  const taken = names.filter((name) => !refused.some((each) => each.name === name));
+  const open = taken.filter(isOpen).length;
+  if (open === taken.length) return { one: "shows the message", many: "show the message" };
+  const rest = open === 0 ? `no page of ${taken.length === 1 ? "it" : "them"} is open. ${kLater}` : `${open} ${open === 1 ? "has" : "have"} a page open, which shows it`;
+  return { one: `has the message; ${rest}`, many: `have the message; ${rest}` };
+}

@@ -22,8 +22,9 @@ function radios(group, onChoose) {
 }
 
 export class OverviewBar {
-  /** @param {{chips: HTMLElement, onChange: () => void}} parts `chips` is the place of the numbers in the bar of the page; `onChange`: other cells are wanted, or another order */
-  constructor({ chips, onChange }) {
+  /** @param {{chips: HTMLElement, lock: import("../panels/control_lock.js").ControlLock, onChange: () => void}} parts `chips` is the place of the numbers in the bar of the page; `onChange`: other cells are wanted, or another order */
+  constructor({ chips, lock, onChange }) {
+    this.lock = lock;
     this.chips = { help: newChip(), silent: newChip(), done: newChip() };
     chips.append(...Object.values(this.chips));
     this.orders = byId("overview-order");
@@ -59,11 +60,11 @@ export class OverviewBar {
     showChip(this.chips[kind], { kind, word });
   }
 
-  /** Which robots the actions mean. @param {number} chosen @param {number} all */
-  showTargets(chosen, all) {
+  /** Which robots the actions mean, and whether one of them is frozen. @param {number} chosen @param {number} all @param {boolean} hasFrozen */
+  showTargets(chosen, all, hasFrozen) {
     setText(byId("overview-targets"), chosen > 0 ? `${chosen} chosen:` : all === 1 ? "1 robot:" : `All ${robots(all)}:`);
-    byId("overview-none").hidden = chosen === 0;
-    byId("overview-choose").hidden = chosen > 0;
+    byId("overview-none").classList.toggle("is-away", chosen === 0);
+    this.lock.set("none frozen", hasFrozen ? null : `${chosen > 0 ? "None of the chosen robots" : "No robot"} is frozen.`, { only: "#overview-unfreeze" });
   }
 
   /** Why there is no card, if there is none. @param {number} shown @param {number} all */

@@ -19,18 +19,18 @@ const kMaxSpare = 32;
 
 export class OverviewPanel {
   /**
-   * @param {{host: HTMLElement, chips: HTMLElement, getModel: (cell: string) => Promise<any>, getLink: (name: string, token: string) => Promise<string | null>, onNew: () => void}} parts
+   * @param {{host: HTMLElement, chips: HTMLElement, lock: import("../panels/control_lock.js").ControlLock, getModel: (cell: string) => Promise<any>, getLink: (name: string, token: string) => Promise<string | null>, onNew: () => void}} parts
    *   `chips` is the place of the numbers of those that need help; `getModel` gets the model of a cell, `getLink` the link of a student;
    *   `onNew` is called when cells have come
    */
-  constructor({ host, chips, getModel, getLink, onNew }) {
+  constructor({ host, chips, lock, getModel, getLink, onNew }) {
     this.host = host;
     this.getModel = getModel;
     this.getLink = getLink;
     this.onNew = onNew;
     this.list = new CellList();
     this.serverAhead = 0; // the server's time, Unix ms, minus the page's clock
-    this.bar = new OverviewBar({ chips, onChange: () => this.#arrange() });
+    this.bar = new OverviewBar({ chips, lock, onChange: () => this.#arrange() });
     this.choice = new Choice(() => this.#showChoice());
     /** @type {Map<string, CellCard>} */
     this.cards = new Map();
@@ -47,6 +47,8 @@ export class OverviewPanel {
     this.spare = [];
     /** @type {Map<string, string>} */
     this.tokens = new Map();
+    /** @type {string[]} sentences of the goals of the exercise */
+    this.goals = [];
     /** @type {string[]} names of the cells with a card, in the order of the cards */
     this.shown = [];
     this.observer = new IntersectionObserver((entries) => this.#cross(entries), { rootMargin: kMargin });
@@ -88,7 +90,7 @@ export class OverviewPanel {
 
   /** @param {string} name */
   #add(name) {
-    const card = new CellCard(name, { onChoose: (...chosen) => this.#choose(...chosen), getLink: this.getLink });
+    const card = new CellCard(name, { onChoose: (...chosen) => this.#choose(...chosen), getLink: this.getLink, getGoals: () => this.goals });
     this.cards.set(name, card);
     card.setToken(this.tokens.get(name));
   }
@@ -188,6 +190,12 @@ export class OverviewPanel {
     for (const [name, card] of this.cards) card.setToken(tokens.get(name));
   }
 
+  /** The sentences of the goals, in the order of those of each cell. @param {string[]} goals */
+  setGoals(goals) {
+    this.goals = goals;
+    this.renew();
+  }
+
   // --- Chosen cards.
 
   /** @param {string} name @param {boolean} isChosen @param {boolean} isRange */
@@ -203,7 +211,11 @@ export class OverviewPanel {
 
   #showChoice() {
     for (const [name, card] of this.cards) card.setChosen(this.choice.names.has(name));
-    this.bar.showTargets(this.choice.names.size, this.list.size);
+    this.#showTargets();
+  }
+
+  #showTargets() {
+    this.bar.showTargets(this.choice.names.size, this.list.size, this.targets.some((name) => this.list.get(name).frozen));
   }
 
   // --- Order, search and what passes with time.
@@ -274,6 +286,6 @@ export class OverviewPanel {
   #showTotals() {
     const all = [...this.list.cells.values()];
     this.bar.showTotals(this.list.totals(this.now), all.some(({ goals }) => goals !== null));
-    this.bar.showTargets(this.choice.names.size, this.list.size);
+    this.#showTargets();
   }
 }
