@@ -150,7 +150,7 @@ test("a teacher freezes one robot of the class, sends a message, and lets it con
     await student.waitForSelector("#notices:has-text('Please stop.')");
     await page.click("#overview-unfreeze");
     await student.waitForSelector("#status[data-kind=ready]");
-    assert.equal(await page.locator(".card .chip:has-text('Frozen')").count(), 0);
+    await page.waitForSelector(".card .chip:has-text('Frozen')", { state: "detached" });
     await student.context().close();
   }));
 
