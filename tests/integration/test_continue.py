@@ -196,6 +196,17 @@ class Continue(unittest.TestCase):
         self.assertEqual(ada.replace(b"E+9", b"E+8"), files["ada"].read_bytes())
         self.assertNotEqual(files["bob"], newest(lesson.lessons, "bob"))
 
+    def test_another_exercise_begins_anew(self):
+        lesson = Class(self, ["ada"])
+        for exercise, ticks in ("07-pick", 0), ("07-pick", 500), ("08-vision", 0):
+            with self.subTest(exercise), lesson.server("--exercise", exercise) as xr3, xr3.monitor() as monitor:
+                self.assertEqual(ticks, monitor.look("state", cell="ada")["tick"])
+                if ticks == 0:
+                    monitor.request("call", cell="ada", fn="block_remove", args={"name": "red"} if exercise == "07-pick" else {"name": "slab"})
+                    monitor.request("call", cell="ada", fn="step", args={"ticks": 500})
+                if exercise == "08-vision":
+                    xr3.wait_log("began with another workcell or other faults")
+
     def test_the_byte_clock_goes_on(self):
         lesson = Class(self, ["ada"])
         with lesson.server(clock="bytes:7") as xr3, xr3.line() as line, xr3.monitor() as monitor:
