@@ -12,7 +12,7 @@
 namespace xr3 {
 
 struct PageSetup {
-  std::string product;       ///< name and version of the program, such as `xr3 0.9.0`
+  std::string product;       ///< name and version of the program, such as `xr3 0.10.0`
   recording::Header header;  ///< of the robot's recording, without the product
   GoalList goals;
   std::optional<std::uint64_t> seed;  ///< of a variation of the blocks

@@ -15,7 +15,7 @@ refuse() {
 install() {
   local version=${INPUT_VERSION-}
   if [ -n "$version" ]; then
-    [[ $version =~ ^[0-9][0-9A-Za-z.~-]*$ ]] || refuse "the input version is a release such as 0.9.0"
+    [[ $version =~ ^[0-9][0-9A-Za-z.~-]*$ ]] || refuse "the input version is a release such as 0.10.0"
     XR3_PACKAGE=$GITHUB_SERVER_URL/$GITHUB_ACTION_REPOSITORY/releases/download/v$version
     XR3_PACKAGE=$XR3_PACKAGE/xr3_${version}_$(dpkg --print-architecture).deb
     export XR3_PACKAGE

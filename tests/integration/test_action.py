@@ -152,7 +152,7 @@ class Action(unittest.TestCase):
         self.assertEqual("run --build\n", self.run_step(0, place, environment).stdout)
         for version in "../../1", "1;x", "v1":
             done = self.run_step(0, place, environment, version=version)
-            self.assertEqual((2, "::error title=xr3::the input version is a release such as 0.9.0\n"), (done.returncode, done.stdout))
+            self.assertEqual((2, "::error title=xr3::the input version is a release such as 0.10.0\n"), (done.returncode, done.stdout))
 
     def test_the_page_uses_inputs_that_exist(self):
         page = (CI / "README.md").read_text(encoding="utf-8")

@@ -19,16 +19,18 @@ class Class(unittest.TestCase):
         text = FILE.read_text(encoding="utf-8")
         variables = dict(re.findall(r'^      (XR3_\w+): "?([^"\s]*)"?', text, re.MULTILINE))
         with tempfile.TemporaryDirectory() as folder:
-            environment = {name: value.replace("/class", folder) for name, value in variables.items() if not value.startswith("$")}
+            environment = {name: re.sub("^/class", folder, value) for name, value in variables.items() if not value.startswith("$")}
+            names = [f"student-{number:02}" for number in range(1, 31)]
+            pathlib.Path(folder, "class.csv").write_text("\n".join(["name", *names]), encoding="ascii")
             token = pathlib.Path(folder, "token")
             token.write_text(TOKEN, encoding="ascii")
             token.chmod(0o600)
             with Server(clock="real", environment=environment) as xr3, xr3.monitor() as monitor:
-                cells = json.loads(pathlib.Path(folder, "ports.json").read_text(encoding="ascii"))["cells"]
-                self.assertEqual(30, len({cell["token"] for cell in cells}))
+                tokens = json.loads(pathlib.Path(folder, "class.csv.tokens").read_text(encoding="ascii"))
+                self.assertEqual(30, len(set(tokens.values())))
                 self.assertEqual("none", monitor.hello["access"])
                 monitor.request("auth", token=TOKEN)
-                self.assertEqual([cell["name"] for cell in cells], monitor.read()["cells"])
+                self.assertEqual(names, monitor.read()["cells"])
             self.assertEqual(30, len(list(pathlib.Path(folder, "recordings").rglob("*.xr3rec"))))
 
     def test_the_ports_are_those_of_the_robots(self):

@@ -11,7 +11,7 @@ import threading
 import time
 import unittest
 
-from support import DEADLINE_S, MonitorError, Server, counts, machine, run_xr3
+from support import DEADLINE_S, XR3, MonitorError, Server, counts, machine, run_xr3
 from test_cells import cell_ports, get, line_to
 from test_line_websocket import LineWebsocket
 
@@ -110,6 +110,10 @@ class Continue(unittest.TestCase):
             for file in (lesson.lessons / name).iterdir():
                 done = run_xr3("replay", file)
                 self.assertEqual(0, done.returncode, done.stderr)
+        served = Server(command=[XR3, "replay", newest(lesson.lessons, "bob"), "--serve"])
+        served.options = served.options[:4]
+        with served as xr3, xr3.monitor() as monitor:
+            self.assertEqual({**moved["bob"], "cell": "main"}, state_of(monitor, "main"))
         with lesson.server() as xr3, xr3.monitor() as monitor:
             self.assertEqual(moved, {name: state_of(monitor, name) for name in lesson.names})
 

@@ -31,12 +31,15 @@ class Options(unittest.TestCase):
                     self.assertNotIn("warn", xr3.log())
 
     def test_the_class_may_be_fixed(self):
-        """The line of xr3.toml that is a comment, in the place of the three above it, with `private`."""
+        """The two lines of xr3.toml that are comments, in the place of the three above them, with `private`."""
         text = (FOLDER / "class" / "xr3.toml").read_text(encoding="utf-8")
-        fixed, count = re.subn(r"(?m)^cell-per-connection.*\n(?:.*\n)*?linger.*\nmax-cells.*\n#.*\n# (cells = \d+)$", r"\1", text)
+        fixed, count = re.subn(r"(?m)^cell-per-connection.*\n(?:.*\n)*?linger.*\nmax-cells.*\n#.*\n# (roster = .*)\n# (continue = true)$", r"\1\n\2", text)
         self.assertEqual(1, count)
         with tempfile.TemporaryDirectory() as folder:
             options, token = pathlib.Path(folder, "xr3.toml"), pathlib.Path(folder, "token")
+            roster = pathlib.Path(folder, "class.csv")
+            roster.write_text("\n".join(["name", *(f"student-{number:02}" for number in range(1, 31))]), encoding="ascii")
+            fixed = fixed.replace("/var/lib/xr3/class.csv", str(roster))
             options.write_text(fixed.replace("private = false", "private = true"), encoding="utf-8")
             token.write_text(TOKEN, encoding="utf-8")
             token.chmod(0o440)

@@ -23,7 +23,7 @@ from xr3.server import Server
 from xr3.verdict import Verdict, judge
 from xr3.vision import Camera, Patch, Picture
 
-__version__ = "0.9.0"  # the version of the xr3 server in this repository
+__version__ = "0.10.0"  # the version of the xr3 server in this repository
 
 __all__ = ["ADEPT_ONE", "ARMS", "Arm", "Camera", "INTELLEDEX_660", "Jaws", "Joint", "Monitor",
            "MonitorError", "Patch", "Picture", "Pose", "RHINO_XR3", "Robot", "RobotError",

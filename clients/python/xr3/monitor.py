@@ -27,7 +27,7 @@ class MonitorError(Exception):
 
 def server_version(host: Optional[str] = None) -> Optional[str]:
     """Name and version of the server whose monitor port answers within a second, such as
-    "xr3 0.9.0", at the default port of Monitor. None if there is none. Sends only a brace, which a
+    "xr3 0.10.0", at the default port of Monitor. None if there is none. Sends only a brace, which a
     robot ignores: the port may be that of another arm."""
     try:
         with connect(host, None, "XR3_MONITOR_PORT", 9601, 1.0) as line:

@@ -1,6 +1,6 @@
 // Constants that the build defines (build.mjs).
 
-/** The version of the page, such as "0.9.0". */
+/** The version of the page, such as "0.10.0". */
 declare const XR3_VERSION: string;
 
 /** In the worker of the robot: the bytes of the files that Python is loaded from by fetch(). */
