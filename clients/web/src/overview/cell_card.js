@@ -99,7 +99,7 @@ export class CellCard {
     if (!this.drawn) return;
     const { kind, why } = needOf(this.drawn, now);
     this.element.dataset.need = kind;
-    setText(this.why, why);
+    if (this.why.textContent !== why) this.why.title = this.why.textContent = why; // the title has what is cut
     setText(this.last, lastText(this.drawn, now));
   }
 
