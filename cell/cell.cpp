@@ -65,12 +65,13 @@ void Cell::set_line_speed(const LineSpeed& speed) {
 }
 
 // With a byte clock a new transcript begins, which says so.
-void Cell::continue_from(Rewindable end, FaultPlan initial_faults, std::optional<LineSpeed> speed) {
-  assert(state_.lines.empty() && !state_.device && end.lines.empty());
+void Cell::continue_from(Rewindable end, FaultPlan initial_faults, std::optional<LineSpeed> speed,
+                         std::string origin) {
+  assert(state_.lines.empty() && !state_.device && end.lines.empty() && !origin.empty());
   static_cast<Rewindable&>(state_) = std::move(end);
   state_.initial_faults = std::move(initial_faults);
   state_.line_speed = speed;
-  state_.is_continued = true;
+  state_.origin = std::move(origin);
   if (clock().running_mode() == ClockMode::kBytes) state_.transcript.emplace();
   mark(state_, TranscriptMark::kNotBytesAlone);
   ++revision_;

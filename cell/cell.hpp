@@ -55,11 +55,12 @@ class Cell final {
   /// is no device.
   void set_line_speed(const LineSpeed& speed);
   /// From now on, the cell is the one that ended so, in another process: it has this state, these
-  /// faults of the start, and this speed of lines. Preconditions: the cell is fresh, both have the
-  /// same robot and profile, and neither has a device or lines.
-  void continue_from(Rewindable end, FaultPlan initial_faults, std::optional<LineSpeed> speed);
+  /// faults of the start, this speed of lines, and this ContinuedState::origin. Preconditions: the
+  /// cell is fresh, both have the same robot and profile, and neither has a device or lines.
+  void continue_from(Rewindable end, FaultPlan initial_faults, std::optional<LineSpeed> speed,
+                     std::string origin);
   /// Whether it was continued.
-  bool is_continued() const { return state_.is_continued; }
+  bool is_continued() const { return !state_.origin.empty(); }
   /// Sets the part of the next tick that has passed. Precondition: there is a byte clock.
   void set_clock_remainder(Micros remainder) { state_.byte_clock->set_remainder(remainder); }
 

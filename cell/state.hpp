@@ -71,7 +71,8 @@ struct NotRewound {
   std::string name;
   FaultPlan initial_faults = {};  ///< those of the start, and of each reset
   std::optional<LineSpeed> line_speed = {};
-  bool is_continued = false;  ///< it has gone on from the end of a recording
+  /// Digest of the files with which it once began, if it has gone on from a recording; else empty.
+  std::string origin = {};
   bool is_replayed = false;   ///< time passes by the entries of a recording alone
   std::optional<DeviceLink> device = {};
   std::optional<Mirror> mirror = {};

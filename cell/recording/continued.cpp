@@ -2,10 +2,13 @@
 
 #include <cassert>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "cell/digest.hpp"
 #include "cell/recording/replayer.hpp"
+#include "protocol/files/faults.hpp"
+#include "protocol/files/workcell.hpp"
 
 namespace xr3 {
 namespace {
@@ -20,11 +23,18 @@ MachineSnapshotPtr machine_of(const Cell& cell, const SavedCell& saved) {
 
 }  // namespace
 
-ContinuedState continued_state(const Cell& cell) {
+std::string origin_of(const recording::Header& header) {
+  if (header.start) return header.start->origin;
+  const Json faults = header.faults ? faults_to_json(*header.faults) : Json();
+  return sha256(workcell_to_json(header.model->workcell()).dump() + faults.dump());
+}
+
+ContinuedState continued_state(const Cell& cell, std::string origin) {
   assert(cell.lines().empty() && cell.device() == nullptr);
   const Rewindable& value = cell.value();
   const std::string hash = robot_hash(cell.model());
   ContinuedState start;
+  start.origin = std::move(origin);
   start.epoch = value.epoch;
   start.us = static_cast<int>(cell.clock_remainder());
   start.model_rev = value.model_rev;
@@ -54,7 +64,7 @@ void begin_at_start(Cell& cell, const recording::Header& header, WallNs now) {
   for (const auto& [name, saved] : start.snapshots)
     begin.snapshots.emplace(name, machine_of(cell, saved));
   cell.continue_from(std::move(begin), header.faults.value_or(FaultPlan{}),
-                     header.byte_clock ? std::nullopt : header.line_speed);
+                     header.byte_clock ? std::nullopt : header.line_speed, start.origin);
 }
 
 }  // namespace xr3

@@ -131,6 +131,7 @@ Members<ContinuedState> start_members() {
   const Members<Named> named = {required("name", &Named::name, text(1, kMaxName)),
                                 required("state", &Named::saved, saved_cell())};
   return {
+      required("origin", &ContinuedState::origin, text(1, kMaxName)),
       required("epoch", &ContinuedState::epoch, integer<Epoch>(0, monitor::kMaxInteger)),
       optional("us", &ContinuedState::us, whole_number(0, 999)),
       required("model_rev", &ContinuedState::model_rev, whole_number(1, kMaxRevision)),

@@ -36,6 +36,7 @@ struct ContinuedState {
     bool operator==(const NamedState&) const = default;
   };
 
+  std::string origin;  ///< digest of the files with which the first recording began
   Epoch epoch = 0;
   int us = 0;  ///< with a byte clock: microseconds after the tick, 0...999
   int model_rev = 1;

@@ -65,6 +65,7 @@ void Attention::note_command(std::string_view text, bool has_reply) {
 // --- Events.
 
 void Attention::note(const CellEvent& event, const Model& model) {
+  if (std::holds_alternative<EpochNote>(event.note)) forget();
   if (const auto* more = std::get_if<SuppressedNote>(&event.note)) {
     if (warning_) warning_->count += static_cast<std::uint64_t>(more->count);
     return;
@@ -78,6 +79,13 @@ void Attention::note(const CellEvent& event, const Model& model) {
   if (body == nullptr || !std::holds_alternative<Warning>(*body)) return;
   EventReport about = report(*body, model);
   note_warning(about.code, std::move(about.message), 1);
+}
+
+// Signs from before a reset need no help any more.
+void Attention::forget() {
+  command_.reset();
+  warning_.reset();
+  stalled_.reset();
 }
 
 void Attention::note_warning(std::string_view code, std::string text, std::uint64_t count) {

@@ -28,6 +28,7 @@ class Attention final : private CellObserver {
                            const Command& command) const;
   void note_command(std::string_view text, bool has_reply);
   void note(const CellEvent& event, const Model& model);
+  void forget();
   void note_warning(std::string_view code, std::string text, std::uint64_t count);
 
   Cell& cell_;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "cell/recording/continued.hpp"
+#include "cell/recording/recorder.hpp"
 #include "server/net/spawn.hpp"
 #include "server/net/wall_clock.hpp"
 
@@ -21,6 +22,9 @@ std::string go_on(Cell& cell, const RecordedEnd& end) {
   if (!(model.robot() == cell.model().robot()) || model.profile() != cell.model().profile())
     return end.path() + ": it is of another robot (" + model.robot().name +
            "), or of another --compat";
+  if (origin_of(header) != origin_of(recording_header(cell, "")))
+    return end.path() +
+           ": it began with another workcell or other faults, as of another --exercise";
   begin_at_start(cell, header, wall_now());
   return {};
 }

@@ -5,11 +5,13 @@
 // The registry (registry.hpp) holds the cells of the server by name and by token; a cell lives as
 // long as a shared pointer to it. Three callers add cells: the App at the start, ConnectionCells
 // (connection_cells.hpp) for each connection of `--cell-per-connection`, and BranchCells
-// (branch_cells.hpp) for copies of a cell's past. After each input, from whatever port, runs
-// after_input(): it wakes the lines whose replies have become due, sets the timers for due bytes
-// and for silence, passes bytes on to a physical controller, and notifies the subscribers. A cell
-// that is closed while the server runs ends its lines, leaves the registry, and is retired: a
-// request of the monitor may still hold it, but it arms no timer and takes no input.
+// (branch_cells.hpp) for copies of a cell's past. With `--continue`, Comebacks (comebacks.hpp) lets
+// planned cells go on from their recordings; until then a cell is absent (absence.hpp), and clients
+// wait. attention.hpp and live_goals.hpp observe a cell for the overview. After each input, from
+// whatever port, runs after_input(): it wakes the lines whose replies have become due, sets the
+// timers for due bytes and for silence, passes bytes on to a physical controller, and notifies the
+// subscribers. A cell that is closed while the server runs ends its lines, leaves the registry, and
+// is retired: a request of the monitor may still hold it, but it arms no timer and takes no input.
 #pragma once
 
 #include <cassert>

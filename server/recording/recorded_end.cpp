@@ -39,6 +39,7 @@ void RecordedEnd::open() {
   source_.emplace(path_);
   const recording::Header header = source_->header();
   if (header.device) throw FileError(path_ + ": it is of a physical controller");
+  origin_ = origin_of(header);
   cell_ = std::make_unique<Cell>(header.cell, header.model, replay_clock(header), &rings_);
   prepare_replay(*cell_, header);
   const bool has_digests = header.state_format == kStateFormat;
@@ -70,7 +71,7 @@ void RecordedEnd::close_lines() {
 recording::Header RecordedEnd::header() const {
   assert(why_.empty());
   recording::Header header = recording_header(*cell_, "");
-  header.start = continued_state(*cell_);
+  header.start = continued_state(*cell_, origin_);
   return header;
 }
 

@@ -46,6 +46,7 @@ class RecordedEnd {
   std::unique_ptr<Cell> cell_;
   std::optional<Replayer> replayer_;
   WallNs worked_ = 0;
+  std::string origin_;
   std::string why_;
 };
 

@@ -47,7 +47,7 @@ Recording::~Recording() { cell_.end_observation(recorder_); }
 
 std::string Recording::header_line() {
   recording::Header header = recording_header(cell_, "xr3 " XR3_VERSION);
-  if (cell_.is_continued()) header.start = continued_state(cell_);
+  if (cell_.is_continued()) header.start = continued_state(cell_, cell_.value().origin);
   std::string line = writer_.line(header);
   if (line.size() > recording::kMaxLine || line.size() + kRoomForEnd > limits_.max_bytes)
     throw FileError(path_ + ": robot and workcell are too large for the recording");

@@ -9,8 +9,10 @@
 // files, for their owner alone. RecordingRoom (room.hpp) is shared by the recordings of all cells:
 // it limits their total and keeps space on the disk free. When a limit is reached, or a write
 // fails, the recording ends with a last line that says so, an event goes to the log and to the
-// monitor, and the cell continues. joint_table.hpp is independent of it: a table of joints over
-// time, for `xr3 replay --csv` and `xr3 exec --csv`.
+// monitor, and the cell continues. folder.hpp names the files of several cells, and retention.hpp
+// deletes old ones. The other way, source.hpp reads a recording piece by piece, and
+// recorded_end.hpp repeats it to its end, from which a cell can go on. joint_table.hpp is
+// independent of all: a table of joints over time, for `xr3 replay --csv` and `xr3 exec --csv`.
 #pragma once
 
 #include <cstdint>

@@ -8,7 +8,7 @@
 // `unsub` and `get`, ServerCalls (server_calls.hpp) for calls on the server, PastCalls
 // (past_calls.hpp) for those on a cell's past, and MonitorCalls (calls.hpp, line_calls.cpp) for the
 // others. What a request does to a cell, and its answer, is in service/, below the server; here it
-// waits for what it needs. The Overview (overview.hpp)
+// waits for what it needs, such as a cell that is absent. The Overview (overview.hpp)
 // shows all cells to its subscribers, a few rounds a second, after changed() has marked those that
 // had input. The frames of one cell go by its SubscriberHub in server/session.
 #pragma once

@@ -6,7 +6,6 @@ lines of the server's log, with other times, ports and numbers of lines and byte
 `python` has a program and `json` a file, whose name is in its first line, a comment. A line `...` stands for any number
 of lines, and `...` within a line for any text. `<!-- figures: ... -->` has commands that draw pictures."""
 
-import json
 import os
 import pathlib
 import re
@@ -89,11 +88,14 @@ class Reader:
         return self.as_shown(done.stdout, xr3)
 
     def ports(self, xr3):
-        """The ports of the server, and what the page shows for them. Those of several cells are in the port file."""
+        """The ports of the server, and what the page shows for them. Those of a roster are in its order."""
         ports = {str(xr3.robot_port): "9600", str(xr3.monitor_port): "9601"}
-        if "--cells" in xr3.options:
-            cells = json.loads((self.folder / "ports.json").read_text(encoding="utf-8"))["cells"]
-            ports.update({str(cell["robot"]): str(9700 + int(cell["name"])) for cell in cells})
+        if "--roster" in xr3.options:
+            with xr3.monitor() as monitor:
+                monitor.request("auth", token=(self.folder / "token").read_text(encoding="utf-8").strip())
+                monitor.read()  # hello
+                cells = monitor.call("cells")["cells"]
+            ports.update({str(cell["robot_port"]): str(9701 + k) for k, cell in enumerate(cells)})
         return ports
 
     def as_shown(self, text, xr3):

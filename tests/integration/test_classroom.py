@@ -30,7 +30,7 @@ class Classroom(unittest.TestCase):
     def test_a_lesson(self):
         with tempfile.TemporaryDirectory() as folder:
             text = re.sub(r"^   ", "", PAGE.read_text(encoding="utf-8"), flags=re.MULTILINE)  # including fences of list items
-            play(Teacher(self, pathlib.Path(folder)), text)
+            play(Teacher(self, pathlib.Path(folder), ["text"]), text)  # a slip is no command
             self.assertIn("<svg", pathlib.Path(folder, "end.svg").read_text(encoding="utf-8"))
             grades = pathlib.Path(folder, "report", "grades.csv").read_text(encoding="utf-8-sig").splitlines()
             self.assertEqual(len(list(pathlib.Path(folder, "submissions").iterdir())), len(grades) - 1)

@@ -589,7 +589,8 @@ for folder in "/tmp", "/dev/shm", ".":
         self.grade("class", command=["sh", "-c", f'if [ -d "$1" ]; then exec {sys.executable} "$1/main.py"; else exec {sys.executable} "$1"; fi', "sh", "{}"])
         with open(self.folder / "report/grades.csv", encoding="utf-8-sig") as file:
             rows = {row["submission"]: row["same_as"] for row in csv.DictReader(file)}
-        self.assertEqual({"Ada King_11_assignsubmission_file": "", "Bob_12_assignsubmission_file": "Ada King_11_assignsubmission_file", "carl.py": ""}, rows)
+        self.assertEqual({"Ada King_11_assignsubmission_file": "Bob_12_assignsubmission_file",
+                          "Bob_12_assignsubmission_file": "Ada King_11_assignsubmission_file", "carl.py": ""}, rows)
         with open(self.folder / "report/moodle.csv", encoding="utf-8") as file:
             grades = [(row["Identifier"], row["Full name"], row["Grade"], row["Maximum Grade"]) for row in csv.DictReader(file)]
         self.assertEqual([("Participant 11", "Ada King", "8", "8"), ("Participant 12", "Bob", "8", "8")], grades)

@@ -53,8 +53,8 @@ std::string one_line(std::string text) {
 }  // namespace
 
 std::string watched_hello(const std::string& access) {
-  return R"({"op":"hello","proto":1,"server":"xr3 0.10.0","cell":"main","cells":["main"],"epoch":0,)"
-         R"("tick":5,"tick_hz":1000,"clock":{"mode":"manual","rate":1.0},)"
+  return R"({"op":"hello","proto":1,"server":"xr3 0.10.0","cell":"main","cells":["main"],)"
+         R"("epoch":0,"tick":5,"tick_hz":1000,"clock":{"mode":"manual","rate":1.0},)"
          R"("robot":{"name":"Teaching arm","joints":["C","B"],"tool":"A"},"access":")" +
          access + R"(","channels":["state","image","event","line","display","model"]})";
 }

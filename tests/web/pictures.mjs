@@ -1,7 +1,10 @@
 // Makes screenshots for the docs, and the frames of a short film: the Rhino picks up and carries a
 // block. Usage: node pictures.mjs DOCS_FOLDER FRAMES_FOLDER, with XR3 set to the path of the
 // executable.
+import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { connect } from "node:net";
+import { tmpdir } from "node:os";
+import { dirname, join } from "node:path";
 import { close, closeFirstSteps, open, ready, serve, type } from "./bench.mjs";
 import { ask } from "./overview/class.mjs";
 
@@ -63,9 +66,11 @@ await still("rhino-xr3", "light", plots, "viewer-plots");
 // A class in an exercise whose goals are met by E+70 twice: some have finished, some need help.
 const kNames = "ada alan barbara charles donald edsger frances grace hedy ivan john karen leslie margaret niklaus ole peter radia shafi tim ursula vint whitfield xiao".split(" ");
 const kWaits = 16_000; // so long a card takes to say that a program waits for a reply
-const school = await serve("--cells", "0", ...kNames.flatMap((name) => ["--cell", `${name}=`]), "--exercise", "01-hello");
+const roster = join(mkdtempSync(join(tmpdir(), "class-")), "class.csv");
+writeFileSync(roster, ["name", ...kNames].join("\n"));
+const school = await serve("--roster", roster, "--exercise", "01-hello");
 const { value } = await ask(school.monitor, { op: "call", fn: "cells", args: {} });
-const all = await open(school.url, { viewport: kSize });
+const all = await open(school.url, { viewport: { width: 1440, height: 1000 } });
 await all.waitForSelector(".card canvas");
 const programs = value.cells.slice(0, 20).map(({ robot_port }) => connect(robot_port, "127.0.0.1"));
 const write = (bytesOf) => programs.forEach((program, i) => program.write(bytesOf(i) ?? ""));
@@ -73,12 +78,13 @@ const isDone = (i) => i % 4 === 3;
 write((i) => (isDone(i) ? "E+70\r" : i === 0 ? "E+50\r" : null));
 await all.waitForTimeout(kWaits);
 write((i) => (isDone(i) ? "E+70\rE?" : i === 1 ? "E+300\r".repeat(14) : i === 2 ? "E+127\rE+127\rE+127\r" : i % 4 === 2 ? "E?".repeat(i) : i > 0 ? `F+${100 + i}\rE+${60 + 3 * i}\rE?` : null));
-await all.waitForSelector(".card[data-need=done]");
+await all.waitForSelector(".cards:last-child .card:first-child[data-need=done]"); // sorted again
 await all.waitForSelector(".card[data-need=help] .why:has-text('Waits')");
 await all.screenshot({ path: `${docs}/viewer-overview.png` });
 for (const program of programs) program.destroy();
 await all.context().close();
 await school.stop();
+rmSync(dirname(roster), { recursive: true });
 
 // The film: with the manual clock, one step per frame. Counts are from
 // `xr3 kin --pose 262,0,20 --down 90`.

@@ -236,14 +236,16 @@ const RunReport& Submission::counted() const {
 }
 
 void mark_twins(std::vector<Submission>& submissions) {
-  std::map<std::vector<std::string>, std::string> names;  // by the digests of the runs
+  std::map<std::vector<std::string>, Submission*> firsts;  // by the digests of the runs
   for (Submission& each : submissions) {
     std::vector<std::string> digests;
     for (const RunReport& run : each.runs)
       digests.push_back(run.bytes > 0 ? run.transcript : std::string());
     if (std::ranges::count(digests, std::string()) > 0) continue;
-    const auto [at, is_first] = names.try_emplace(digests, each.name());
-    if (!is_first) each.twin = at->second;
+    const auto [at, is_first] = firsts.try_emplace(digests, &each);
+    if (is_first) continue;
+    each.twin = at->second->name();
+    if (at->second->twin.empty()) at->second->twin = each.name();
   }
 }
 

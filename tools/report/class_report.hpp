@@ -12,7 +12,8 @@ namespace xr3 {
 /// A submission and its runs, of which the worst counts.
 struct Submission {
   std::vector<RunReport> runs;  ///< one at least
-  /// Name of the first submission with the same transcripts; empty if there is none before it.
+  /// Name of another submission with the same transcripts: the first, or for that one the next.
+  /// Empty if there is none.
   std::string twin = {};
 
   const std::string& name() const { return runs.front().program; }

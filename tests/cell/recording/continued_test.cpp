@@ -16,7 +16,7 @@ namespace {
 /// The header of a recording that goes on from the end of the cell, through its JSON.
 recording::Header end_of(const Cell& cell) {
   recording::Header header = recording_header(cell, "xr3 test");
-  header.start = continued_state(cell);
+  header.start = continued_state(cell, "sha256:of-the-files");
   const std::string text = recording::header_to_json(header).dump();
   const JsonSource source(text, "end");
   data::Reading reading(source, data::Unit::kMm);
@@ -99,7 +99,7 @@ TEST(Continued, TheByteClockGoesOnWithItsRemainder) {
 TEST(Continued, AStartThatTheRobotCannotReachIsRefused) {
   Cell cell("ada", test::rhino(), SimClock::manual());
   recording::Header header = recording_header(cell, "xr3 test");
-  header.start = continued_state(cell);
+  header.start = continued_state(cell, "sha256:of-the-files");
   Json json = recording::header_to_json(header);
   json["start"]["state"]["state"]["motors"][1]["count"] = 1'000'000;
   const std::string text = json.dump();

@@ -57,6 +57,14 @@ TEST_F(AttentionTest, CountsWarningsWithTheSameCode) {
   EXPECT_FALSE(summary().last_warning->text.empty());
 }
 
+TEST_F(AttentionTest, AResetBeginsAnew) {
+  send("%E+5\r");
+  cell_.apply(Input{call::Call{call::Reset{}}}, 0);
+  EXPECT_FALSE(summary().last_command);
+  EXPECT_FALSE(summary().last_warning);
+  EXPECT_TRUE(summary().last_input_at);
+}
+
 TEST_F(AttentionTest, AStallHasItsTimeUntilItIsCleared) {
   EXPECT_FALSE(summary().stalled_at);
   for (int i = 0; i < 6; ++i) {
