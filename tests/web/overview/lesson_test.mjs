@@ -39,8 +39,12 @@ const kHello = `const { Robot } = require("${root}clients/javascript/robot");
 `;
 
 /** The class on the ports of the run before, if there was one. */
-const begin = (ports) => serve("--roster", file("roster.csv"), "--private", "--token-file", file("token"), "--exercise", "01-hello", "--record", file("lessons"),
-  "--continue", "--port-file", file("ports.json"), ...(ports ? ["--monitor-port", String(ports.monitor), "--robot-port", String(ports.cells[0].robot)] : []));
+function begin(ports) {
+  const rows = ports ? ports.cells.map(({ name, robot }) => `${name},${robot}`) : kStudents.map((name) => `${name},`);
+  writeFileSync(file("roster.csv"), `name,port\n${rows.join("\n")}\n`);
+  return serve("--roster", file("roster.csv"), "--private", "--token-file", file("token"), "--exercise", "01-hello", "--record", file("lessons"),
+    "--continue", "--port-file", file("ports.json"), ...(ports ? ["--monitor-port", String(ports.monitor), "--robot-port", "0"] : []));
+}
 
 const cellsOf = () => JSON.parse(readFileSync(file("ports.json"), "utf8"));
 const cellOf = (name) => cellsOf().cells.find((cell) => cell.name === name);
@@ -92,7 +96,6 @@ const picture = (page, name) => process.env.PICTURES && page.screenshot({ path: 
 
 test("a lesson with thirty students and a teacher", { timeout: 240_000 }, async () => {
   writeFileSync(file("token"), kToken, { mode: 0o600 });
-  writeFileSync(file("roster.csv"), `name\n${kStudents.join("\n")}\n`);
   writeFileSync(file("hello.js"), kHello);
   assert.equal(spawnSync("cc", ["-I", join(root, "docs/course"), join(root, "docs/course/01-hello/solution.c"), "-lm", "-o", file("hello")], { stdio: "inherit" }).status, 0);
   let server = await begin();
