@@ -51,6 +51,7 @@ test("a page that came over HTTPS connects over TLS", async () => {
   const refused = page.waitForEvent("console", (message) => message.type() === "error").then((message) => message.text());
   await page.goto("https://robot.school/");
   assert.equal(await Promise.race([connected, refused]), "wss://robot.school/ws");
+  await page.unrouteAll({ behavior: "ignoreErrors" }); // files may still be on their way
   await page.context().close();
   await server.stop();
 });
