@@ -10,6 +10,7 @@
 #include "core/faults/fault_state.hpp"
 #include "core/model.hpp"
 #include "core/sim_clock.hpp"
+#include "protocol/explain/cell_event.hpp"
 #include "protocol/json/codec.hpp"
 #include "protocol/line/byte_clock_settings.hpp"
 #include "protocol/line/line_speed.hpp"
