@@ -16,6 +16,7 @@ COURSE = pathlib.Path(ROOT, "docs", "course")
 # Programs of the tenth give up on a reply after a second: in a lesson they run under `xr3 exec`, without a freeze.
 EXERCISES = sorted(path for path in COURSE.iterdir() if path.is_dir() and path.name != "10-robust")
 FROZEN_S = 30
+SLOW = 0.2  # rate of the clock until the freeze, so that no program ends before it
 WORKS_S = 400
 
 
@@ -38,7 +39,7 @@ class FrozenCourse(unittest.TestCase):
         """Runs a solution, freezes its robot after the first command until it has been frozen for FROZEN_S. Returns the
         exit code, the output and the summary of the cell."""
         command = self.command(exercise, language)
-        with Server("--exercise", exercise, clock="real") as xr3, xr3.monitor() as monitor:
+        with Server("--exercise", exercise, clock=f"real:{SLOW}") as xr3, xr3.monitor() as monitor:
             environment = {**os.environ, "XR3_HOST": "127.0.0.1", "XR3_PORT": str(xr3.robot_port),
                            "XR3_MONITOR_PORT": str(xr3.monitor_port), "PYTHONPATH": f"{ROOT}/clients/python"}
             program = subprocess.Popen(command, env=environment, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
@@ -52,6 +53,7 @@ class FrozenCourse(unittest.TestCase):
                 self.assertTrue(summary(monitor)["frozen"])
                 still = program.poll() is None
                 monitor.call("unfreeze")
+                monitor.call("rate", factor=1)
                 output, _ = program.communicate(timeout=WORKS_S)
             finally:
                 program.kill()

@@ -400,7 +400,7 @@ for keyring in -3, -4:
     libc.syscall(call, 15, serial, 200)  # seconds
 os.execvp(sys.argv[1], sys.argv[1:])
 """
-RUN_FILES = {"output.txt", "transcript.txt", "recording.xr3rec", "end.svg", "result.json", "result.txt"}
+RUN_FILES = {"files.txt", "output.txt", "transcript.txt", "recording.xr3rec", "end.svg", "result.json", "result.txt"}
 
 
 def left():
