@@ -119,8 +119,9 @@ Codec<SavedCell> saved_cell() {
     Reading reading(place.value, Unit::kMm);
     std::optional<SavedCell> saved = read_saved_cell(reading);
     place.reading.adopt(reading);
-    if (saved) value = *std::move(saved);
-    return saved.has_value();
+    if (!saved) return false;
+    value = *std::move(saved);
+    return true;
   };
   return {form, read, saved_cell_to_json};
 }
