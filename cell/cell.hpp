@@ -54,9 +54,9 @@ class Cell final {
   /// From now on, the bytes of lines take time, except on those of the monitor. Precondition: there
   /// is no device.
   void set_line_speed(const LineSpeed& speed);
-  /// From now on, the cell is the one that ended so, in another process: it has this state, these
-  /// faults of the start, this speed of lines, and this ContinuedState::origin. Preconditions: the
-  /// cell is fresh, both have the same robot and profile, and neither has a device or lines.
+  /// Continues a cell of another process from its end: sets its state, the faults of its start,
+  /// the speed of its lines, and its ContinuedState::origin. Preconditions: this cell is fresh, both
+  /// have the same robot and profile, and neither has a device or lines.
   void continue_from(Rewindable end, FaultPlan initial_faults, std::optional<LineSpeed> speed,
                      std::string origin);
   /// Whether it was continued.

@@ -41,7 +41,7 @@ struct InPast {
   bool operator==(const InPast&) const = default;
 };
 
-/// Time stands until Unfreeze.
+/// The call Freeze has stopped time. Only the call Unfreeze starts it again.
 struct Frozen {
   bool was_manual = false;  ///< the clock, before
   bool operator==(const Frozen&) const = default;

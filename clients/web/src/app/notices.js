@@ -6,7 +6,7 @@ import { recall, remember } from "../lib/memory.js";
 /** @typedef {{cell: string, epoch: number, seq: number, tick: number, event: string, message: string}} Notice an event of the cell */
 
 const kKey = "notices.closed"; // the last one that was closed
-const kKeptS = 600; // so long after it a page that opens shows a notice
+const kKeptS = 600; // seconds for which a page that is opened later still shows a notice
 const kMax = 3; // at a time
 
 /** @param {Notice} notice */

@@ -13,7 +13,7 @@ import { armStatus, stallText } from "../lib/arm_status.js";
  *   `isComputing`: a program in the page makes no call
  */
 
-/** Why time stands while the teacher has frozen the robot. */
+/** The sentence that a student reads while the teacher has frozen the robot. */
 export const kFrozen = { what: "Your teacher has stopped time.", rest: "It goes on when your teacher continues." };
 const kQuietS = 1; // without a state, while a motor moves
 

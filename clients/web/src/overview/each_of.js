@@ -1,5 +1,5 @@
 // @ts-check
-// The same for many cells, a few at a time, and what came of it in words. Independent of the page.
+// Makes a call for many cells, a few at a time, and reports in words which succeeded and which were refused. Independent of the page.
 import { textOf } from "../lib/refusal.js";
 
 const kAtOnce = 8;
