@@ -55,8 +55,8 @@ class Cell final {
   /// is no device.
   void set_line_speed(const LineSpeed& speed);
   /// Continues a cell of another process from its end: sets its state, the faults of its start,
-  /// the speed of its lines, and its ContinuedState::origin. Preconditions: this cell is fresh, both
-  /// have the same robot and profile, and neither has a device or lines.
+  /// the speed of its lines, and its ContinuedState::origin. Preconditions: this cell is fresh,
+  /// both have the same robot and profile, and neither has a device or lines.
   void continue_from(Rewindable end, FaultPlan initial_faults, std::optional<LineSpeed> speed,
                      std::string origin);
   /// Whether it was continued.
