@@ -5,6 +5,7 @@ import { fragmentOf } from "../../clients/web/src/machine/share.js";
 import { broken } from "../web/app/axe.mjs";
 import { close } from "../web/bench.mjs";
 import { serveFolder, stopServing, withRobot } from "./folder.mjs";
+import { printed } from "./programs.mjs";
 
 const kLoadMs = 120_000; // Python, on a busy machine
 const kProgram = `# Asks, and fails.
@@ -46,7 +47,7 @@ for (const colorScheme of ["light", "dark"]) {
       await check("input()");
       await page.keyboard.press("Enter");
       await page.waitForSelector("#program-goals:visible");
-      assert.match(await page.textContent("#program-output"), /NameError/);
+      await printed(page, "NameError");
       await check("an error, and the goals");
       await page.click("#more-button");
       await check("the menu More");
