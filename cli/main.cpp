@@ -29,7 +29,7 @@ namespace {
 /// robot and workcell of the options.
 std::vector<CellSeed> load_seeds(const ServeOptions& options) {
   std::vector<CellPlan> plans = plan_cells(options);
-  if (plans.empty()) plans.push_back({"", options.robot, options.workcell, 0});
+  if (options.is_cell_per_connection) plans.push_back({"", options.robot, options.workcell, 0});
   std::map<std::pair<std::string, std::string>, CellSeed> loaded;
   std::vector<CellSeed> seeds;
   for (const CellPlan& plan : plans) {

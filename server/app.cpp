@@ -124,7 +124,8 @@ SocketLimits socket_limits(const ServeOptions& options, std::size_t cells) {
   wanted.per_address = options.max_per_address;
   wanted.branches = most_branches(options, cells);
   const std::size_t descriptors = raise_descriptor_limit();
-  const std::size_t listeners = cells > 1 ? kAddressesOfPort * (cells - 1) : 0;
+  const bool has_one_port = cells <= 1 || options.is_cell_per_connection;
+  const std::size_t listeners = has_one_port ? 0 : kAddressesOfPort * (cells - 1);
   const SocketLimits limits = divide_descriptors(descriptors, wanted, listeners);
   if (limits.connections < wanted.connections) {
     spdlog::warn(
@@ -166,7 +167,8 @@ App::App(const ServeOptions& options, std::vector<CellSeed> seeds, std::string t
   monitor_port_.service().past_calls().branch_by(
       [this](HostedCell& of, MachineSnapshotPtr past) { return open_branch(of, std::move(past)); });
   check_byte_clock();
-  options_.is_cell_per_connection ? serve_connections() : open_planned();
+  if (options_.is_cell_per_connection) serve_connections();
+  open_planned();
 }
 
 // Destroys waiting handlers and coroutines before the members that they refer to. The cell may be
@@ -228,9 +230,13 @@ ExitCode App::break_off(const char* what) {
 }
 
 void App::listen() {
-  for (const CellPlan& plan : plans_) listen_on_cell(*cells_.find(plan.name), plan.port);
   if (connection_cells_)
     listen_at(*connection_cells_, "robot", options_.listen, options_.robot_port);
+  for (const CellPlan& plan : plans_) {
+    HostedCell& cell = *cells_.find(plan.name);
+    connection_cells_ ? cell.port()->share(connection_cells_->endpoint())
+                      : listen_on_cell(cell, plan.port);
+  }
   listen_at(monitor_port_, "monitor", options_.listen, options_.monitor_port);
   page_ = page_address(monitor_endpoint());
 }

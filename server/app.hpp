@@ -25,6 +25,7 @@
 #include "server/cells/connection_cells.hpp"
 #include "server/cells/registry.hpp"
 #include "server/cells/seed.hpp"
+#include "server/cells/student_machines.hpp"
 #include "server/files/port_file.hpp"
 #include "server/lines/turns.hpp"
 #include "server/monitor_port/port.hpp"
@@ -44,7 +45,8 @@ WallNs linger_of(const ServeOptions& options);
 
 class App {
  public:
-  /// `seeds`: of the cells of plan_cells(), or with --cell-per-connection one for every cell.
+  /// `seeds`: of the cells of plan_cells(), and with --cell-per-connection one for those of
+  /// connections.
   /// `token`: as read from the source in the options; empty if there is none. Throws CellPlanError.
   App(const ServeOptions& options, std::vector<CellSeed> seeds, std::string token);
 
@@ -102,6 +104,7 @@ class App {
   CellPtr open_for_connection(const std::string& name);
   void close_cell(const CellPtr& cell);
   std::size_t lines_per_cell() const;
+  std::size_t lines_of_connections() const;
   RobotPortRules port_rules(std::size_t lines) const;
   void listen_on_cell(HostedCell& cell, std::uint16_t port);
   ServedPorts served_ports() const;
@@ -138,6 +141,7 @@ class App {
   CellRegistry cells_;
   Comebacks comebacks_;
   Retention retention_;
+  StudentMachines student_machines_;
   std::optional<ConnectionCells> connection_cells_;
   MonitorPort monitor_port_;
   BranchCells branch_cells_;

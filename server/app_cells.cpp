@@ -94,7 +94,7 @@ void App::check_byte_clock() const {
 }
 
 void App::open_planned() {
-  assert(seeds_.size() == plans_.size());
+  assert(seeds_.size() == plans_.size() + (connection_cells_ ? 1 : 0));
   for (std::size_t i = 0; i < plans_.size(); ++i) {
     const CellPtr cell = make_cell(plans_[i].name, seeds_[i], plans_[i].token);
     cell->add_port(port_rules(lines_per_cell()));
@@ -102,9 +102,17 @@ void App::open_planned() {
   }
 }
 
-// Each cell has an equal part of the lines, so that no client takes those of other cells.
+// Each cell has an equal part of the lines, so that no client takes those of other cells. Beside
+// cells of connections it has no more than it needs.
 std::size_t App::lines_per_cell() const {
-  return std::max<std::size_t>(1, limits_.lines / std::max<std::size_t>(1, plans_.size()));
+  const std::size_t shares = plans_.size() + (options_.is_cell_per_connection ? 1 : 0);
+  const std::size_t equal = std::max<std::size_t>(1, limits_.lines / shares);
+  return options_.is_cell_per_connection ? std::min(kLinesOfEachCell, equal) : equal;
+}
+
+std::size_t App::lines_of_connections() const {
+  const std::size_t planned = plans_.size() * lines_per_cell();
+  return std::max<std::size_t>(1, limits_.lines - std::min(limits_.lines, planned));
 }
 
 RobotPortRules App::port_rules(std::size_t lines) const {
@@ -117,19 +125,28 @@ RobotPortRules App::port_rules(std::size_t lines) const {
 
 void App::serve_connections() {
   cells_.note_dynamic();
-  ConnectionCellsRules rules{limits_.lines, options_.max_cells, linger_of(options_), options_.guard,
-                             peer_counts(limits_.per_address)};
+  ConnectionCellsRules rules{lines_of_connections(), options_.max_cells - plans_.size(),
+                             linger_of(options_), options_.guard, peer_counts(limits_.per_address)};
   rules.report_other = [this] {
     spdlog::info("a client of the robot port is no robot program, and gets no cell; {}",
                  browser_hint(page_));
   };
+  rules.cell_of = [this](const asio::ip::address& machine) {
+    const auto name = student_machines_.cell_on(machine);
+    return name ? cells_.find(*name) : nullptr;
+  };
+  monitor_port_.service().sessions().when_opened(
+      [this](const asio::ip::address& machine, const HostedCell& cell) {
+        if (cell.port() != nullptr && cell.port()->is_shared())
+          student_machines_.note(machine, cell.name());
+      });
   connection_cells_.emplace(
       io_, std::move(rules), [this](const std::string& name) { return open_for_connection(name); },
       [this](const CellPtr& cell) { close_cell(cell); });
 }
 
 CellPtr App::open_for_connection(const std::string& name) {
-  CellPtr cell = make_cell(name, seeds_.front(), fresh_cell_token(options_));
+  CellPtr cell = make_cell(name, seeds_.back(), fresh_cell_token(options_));
   cells_.add(cell);
   record_or_report(*cell);
   keep_history(*cell);

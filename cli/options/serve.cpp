@@ -119,19 +119,19 @@ bool is_set(const CLI::App& command, const std::string& name) {
 
 // Adds the cells of the roster, and sets defaults that depend on the number of cells.
 void complete_cells(const CLI::App& serve, ServeOptions& options) {
-  constexpr std::size_t kLinesOfEach = 4;
   if (!options.roster.empty()) {
     const auto rows = with_option_source(options.option_sources, "--roster",
                                          [&] { return load_roster(options.roster); });
     options.cell_choices.insert(options.cell_choices.end(), rows.begin(), rows.end());
   }
   const std::size_t count = options.cells + options.cell_choices.size();
-  if (count > 0 && !is_set(serve, "--robot-port")) options.robot_port = kFirstOfManyPorts;
+  if (count > 0 && !options.is_cell_per_connection && !is_set(serve, "--robot-port"))
+    options.robot_port = kFirstOfManyPorts;
   if (is_set(serve, "--max-lines")) return;
   options.max_lines =
       options.is_cell_per_connection
           ? options.max_cells
-          : std::clamp<std::size_t>(kLinesOfEach * count, options.max_lines, kMaxLines);
+          : std::clamp<std::size_t>(kLinesOfEachCell * count, options.max_lines, kMaxLines);
 }
 
 // Options for the recordings of several cells.
@@ -139,9 +139,10 @@ std::optional<Leave> refuse_recordings(const ServeOptions& options) {
   constexpr const char* kFolder = "needs --record FOLDER and several cells: --roster or --cells";
   const bool has_folder = has_many_cells(options) && !options.record.empty();
   if (options.record_keep_days > 0 && !has_folder) return refuse(options, "--record-keep", kFolder);
-  if (options.is_continued && (!has_folder || options.is_cell_per_connection))
+  const bool has_none_to_continue = options.is_cell_per_connection && options.roster.empty();
+  if (options.is_continued && (!has_folder || has_none_to_continue))
     return refuse(options, "--continue",
-                  options.is_cell_per_connection
+                  has_none_to_continue
                       ? "cannot be used with --cell-per-connection: its cells end with their lines"
                       : kFolder);
   return std::nullopt;
@@ -150,10 +151,14 @@ std::optional<Leave> refuse_recordings(const ServeOptions& options) {
 std::optional<Leave> refuse_cells(const ServeOptions& options) {
   constexpr const char* kOneCell =
       "needs a server of one cell: leave out --cells, --cell and --roster";
-  const bool is_listed = options.cells > 0 || !options.cell_choices.empty();
-  if (options.is_cell_per_connection && is_listed)
+  const bool is_of_option =
+      std::ranges::any_of(options.cell_choices, &std::string::empty, &CellChoice::source);
+  if (options.is_cell_per_connection && (options.cells > 0 || is_of_option))
+    return refuse(options, "--cell-per-connection", "cannot be used with --cells or --cell");
+  if (options.is_cell_per_connection && !options.roster.empty() && !options.is_private)
     return refuse(options, "--cell-per-connection",
-                  "cannot be used with --cells, --cell or --roster");
+                  "with --roster needs --private: the token of a student's page tells whose robot "
+                  "the connections from its machine are for");
   if (options.is_cell_per_connection && options.binds_peer)
     return refuse(options, "--bind-peer",
                   "cannot be used with --cell-per-connection: there each client has its own cell");

@@ -62,15 +62,28 @@ ConnectionCells::~ConnectionCells() = default;
 // --- Connections without a cell.
 
 void ConnectionCells::take(NewConnection connection) {
-  if (is_full()) return refuse("as many lines are open as --max-lines allows");
-  auto place = rules_.peers.take(machine_of(connection));
+  const asio::ip::address machine = machine_of(connection);
+  const CellPtr known = rules_.cell_of ? rules_.cell_of(machine) : nullptr;
+  if (!known && is_full()) return refuse("as many lines are open as --max-lines allows");
+  auto place = rules_.peers.take(machine);
   if (!place)
     return refuse("the client has as many lines open as one address may have (--max-per-address)");
   const tcp::endpoint peer = connection.peer;
   const auto client = std::make_shared<Client>(
       Client{to_socket(io_, std::move(connection)), peer, std::move(place), {}, {}});
   waiting_.insert(client);
-  spawn_loop(io_.get_executor(), kConnectionsName, await_first_bytes(client));
+  spawn_loop(io_.get_executor(), kConnectionsName,
+             known ? hand_over(client, known) : await_first_bytes(client));
+}
+
+/// Gives the connection to the port of a cell, which may have to come back first.
+asio::awaitable<void> ConnectionCells::hand_over(ClientPtr client, CellPtr cell) {
+  co_await cell->be_back();
+  waiting_.erase(client);
+  if (is_closing_) co_return;
+  client->place.reset();
+  ErrorCode ignored;
+  cell->port()->open({Descriptor(client->socket.release(ignored)), client->peer});
 }
 
 asio::awaitable<void> ConnectionCells::await_first_bytes(ClientPtr client) {

@@ -1,6 +1,7 @@
 // The cells of `--cell-per-connection`: a connection of the robot port waits without a cell until
 // the guard has passed its first bytes. It then gets a cell, whose line begins with these bytes.
-// The cell is closed some time after its line. A client of HTTP or TLS gets none.
+// The cell is closed some time after its line. A client of HTTP or TLS gets none. With a roster, a
+// connection from the machine of a student gets a line of the student's cell instead.
 #pragma once
 
 #include <array>
@@ -30,6 +31,8 @@ struct ConnectionCellsRules {
   PeerCounts peers = PeerCounts();
   /// Called, at most once a second, for a connection that is no robot program; may be empty.
   std::function<void()> report_other = {};
+  /// The cell for connections from a machine; nullptr if each gets a new one. May be empty.
+  std::function<CellPtr(const asio::ip::address& machine)> cell_of = {};
 };
 
 class ConnectionCells {
@@ -68,6 +71,7 @@ class ConnectionCells {
   using ClientPtr = std::shared_ptr<Client>;
 
   void take(NewConnection connection);
+  asio::awaitable<void> hand_over(ClientPtr client, CellPtr cell);
   asio::awaitable<void> await_first_bytes(ClientPtr client);
   std::optional<Detection> read(Client& client);
   void serve(Client& client);

@@ -13,7 +13,7 @@
 
 namespace xr3 {
 
-/// One for each cell of the start, or one for all cells of --cell-per-connection.
+/// One for each cell of the start, and one for all cells of connections.
 struct CellSeed {
   ModelPtr model;
   std::optional<FaultPlan> faults;

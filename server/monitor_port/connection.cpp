@@ -55,10 +55,11 @@ asio::awaitable<void> MonitorConnection::serve_websocket(std::string head,
                                                          http::HttpRequest request) {
   const std::optional<std::string> cell = request.parameter("cell");
   if (http::subprotocol_of(request.path()) == http::kLineSubprotocol) {
-    line_ = LineWebsocket::make(socket_, peer_, context_.service, cell, context_.has_room);
+    line_ = LineWebsocket::make(socket_, {machine(), peer_.port()}, context_.service, cell,
+                                context_.has_room);
     co_return co_await line_->run(std::move(head));
   }
-  websocket_ = Websocket::make(socket_, context_.service, cell);
+  websocket_ = Websocket::make(socket_, machine(), context_.service, cell);
   co_await websocket_->run(std::move(head));
 }
 
@@ -90,7 +91,7 @@ void MonitorConnection::greet_after_silence() {
 
 /// Sends `hello`, once.
 void MonitorConnection::greet() {
-  if (!lines_) lines_ = JsonLines::greet(socket_, context_.service);
+  if (!lines_) lines_ = JsonLines::greet(socket_, context_.service, machine());
 }
 
 // --- Memory.

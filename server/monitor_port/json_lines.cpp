@@ -19,9 +19,11 @@ constexpr std::string_view kLineEnd = "\n";
 }  // namespace
 
 std::shared_ptr<JsonLines> JsonLines::greet(std::shared_ptr<MonitorSocket> socket,
-                                            MonitorService& service) {
+                                            MonitorService& service,
+                                            const asio::ip::address& machine) {
   std::shared_ptr<JsonLines> lines(new JsonLines(std::move(socket)));
-  lines->session_ = std::make_unique<OpenSession>(service, static_cast<MessageSink&>(*lines));
+  lines->session_ =
+      std::make_unique<OpenSession>(service, static_cast<MessageSink&>(*lines), machine);
   lines->pump();
   return lines;
 }

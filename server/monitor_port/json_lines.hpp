@@ -18,9 +18,10 @@ namespace xr3 {
 
 class JsonLines : public std::enable_shared_from_this<JsonLines>, private MessageSink {
  public:
-  /// Sends `hello`. `service` must outlive the session.
+  /// Sends `hello`. `service` must outlive the session. `machine`: see machine_of().
   static std::shared_ptr<JsonLines> greet(std::shared_ptr<MonitorSocket> socket,
-                                          MonitorService& service);
+                                          MonitorService& service,
+                                          const asio::ip::address& machine);
 
   /// Serves the connection until it ends. `first_bytes` have been received already.
   asio::awaitable<void> run(std::string first_bytes, monitor::Protocol protocol);

@@ -72,7 +72,6 @@ class BeastLineWebsocket final : public LineWebsocket {
   CellPtr find_cell() const;
   asio::awaitable<bool> read();
   void open(RobotPort& port);
-  tcp::endpoint machine() const;
   asio::awaitable<void> carry_bytes();
   asio::awaitable<void> carry_replies();
   asio::awaitable<void> close(ws::close_code code, std::string_view why);
@@ -145,16 +144,7 @@ void BeastLineWebsocket::open(RobotPort& port) {
     throw boost::system::system_error(errno, boost::system::system_category(), "socketpair");
   Descriptor theirs(ends[1]);
   line_.assign(asio::local::stream_protocol(), ends[0]);
-  port.open({std::move(theirs), machine()});
-}
-
-/// The client, whose address is that of loopback if it is on this machine: see machine_of().
-tcp::endpoint BeastLineWebsocket::machine() const {
-  ErrorCode lost;
-  const auto local = socket_->stream().local_endpoint(lost);
-  const bool is_this = !lost && local.address() == peer_.address();
-  return {is_this ? asio::ip::address(asio::ip::address_v4::loopback()) : peer_.address(),
-          peer_.port()};
+  port.open({std::move(theirs), peer_});
 }
 
 /// Passes messages to the line, as fast as it takes them, until the client has closed the

@@ -16,8 +16,9 @@ namespace xr3 {
 
 class LineWebsocket : public std::enable_shared_from_this<LineWebsocket> {
  public:
-  /// `service` must outlive it. `cell`: the first one if nullopt. `peer` is that of the socket. The
-  /// line is refused unless `has_room` says that one more descriptor may be open.
+  /// `service` must outlive it. `cell`: the first one if nullopt. `peer`: the client's machine (see
+  /// machine_of()) and its port. The line is refused unless `has_room` says that one more
+  /// descriptor may be open.
   static std::shared_ptr<LineWebsocket> make(std::shared_ptr<MonitorSocket> socket,
                                              const tcp::endpoint& peer, MonitorService& service,
                                              std::optional<std::string> cell,

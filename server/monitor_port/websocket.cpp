@@ -90,8 +90,9 @@ ws::close_code code_of(std::optional<monitor::CloseReason> why) {
 
 class BeastWebsocket final : public Websocket, private MessageSink {
  public:
-  BeastWebsocket(std::shared_ptr<MonitorSocket> socket, MonitorService& service,
-                 std::optional<std::string> cell, WebsocketPatience patience);
+  BeastWebsocket(std::shared_ptr<MonitorSocket> socket, const asio::ip::address& machine,
+                 MonitorService& service, std::optional<std::string> cell,
+                 WebsocketPatience patience);
 
   asio::awaitable<void> run(std::string head) override;
   void finish() override;
@@ -120,6 +121,7 @@ class BeastWebsocket final : public Websocket, private MessageSink {
   void ping();
 
   std::shared_ptr<MonitorSocket> socket_;
+  asio::ip::address machine_;  ///< see machine_of()
   MonitorService& service_;
   std::optional<std::string> cell_;
   WebsocketPatience patience_;
@@ -136,9 +138,11 @@ class BeastWebsocket final : public Websocket, private MessageSink {
   bool is_pinged_ = false;  ///< a ping was sent after `last_received_`
 };
 
-BeastWebsocket::BeastWebsocket(std::shared_ptr<MonitorSocket> socket, MonitorService& service,
+BeastWebsocket::BeastWebsocket(std::shared_ptr<MonitorSocket> socket,
+                               const asio::ip::address& machine, MonitorService& service,
                                std::optional<std::string> cell, WebsocketPatience patience)
     : socket_(std::move(socket)),
+      machine_(machine),
       service_(service),
       cell_(std::move(cell)),
       patience_(patience),
@@ -160,7 +164,8 @@ asio::awaitable<void> BeastWebsocket::run(std::string head) {
       [this](ws::frame_type, beast::string_view) { last_received_ = SteadyClock::now(); });
   const bool accepted = co_await accept_handshake(stream_, head, http::kSubprotocol);
   if (accepted && socket_->is_open()) {
-    session_ = std::make_unique<OpenSession>(service_, static_cast<MessageSink&>(*this), cell_);
+    session_ =
+        std::make_unique<OpenSession>(service_, static_cast<MessageSink&>(*this), machine_, cell_);
     last_received_ = SteadyClock::now();
     watch();
     pump();
@@ -281,9 +286,11 @@ void BeastWebsocket::ping() {
 }  // namespace
 
 std::shared_ptr<Websocket> Websocket::make(std::shared_ptr<MonitorSocket> socket,
+                                           const asio::ip::address& machine,
                                            MonitorService& service, std::optional<std::string> cell,
                                            WebsocketPatience patience) {
-  return std::make_shared<BeastWebsocket>(std::move(socket), service, std::move(cell), patience);
+  return std::make_shared<BeastWebsocket>(std::move(socket), machine, service, std::move(cell),
+                                          patience);
 }
 
 }  // namespace xr3

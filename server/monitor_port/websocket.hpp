@@ -21,9 +21,9 @@ struct WebsocketPatience {
 
 class Websocket : public std::enable_shared_from_this<Websocket> {
  public:
-  /// `service` must outlive the session. `cell`: see MonitorSession.
+  /// `service` must outlive the session. `machine`, `cell`: see MonitorSession.
   static std::shared_ptr<Websocket> make(std::shared_ptr<MonitorSocket> socket,
-                                         MonitorService& service,
+                                         const asio::ip::address& machine, MonitorService& service,
                                          std::optional<std::string> cell = std::nullopt,
                                          WebsocketPatience patience = {});
   virtual ~Websocket() = default;

@@ -84,6 +84,20 @@ void refuse_repeated(const std::vector<CellChoice>& choices) {
   }
 }
 
+bool is_name_of_connection(std::string_view name) {
+  const auto is_digit = [](char c) { return '0' <= c && c <= '9'; };
+  return name.size() > 1 && name.front() == 'c' && std::ranges::all_of(name.substr(1), is_digit);
+}
+
+void refuse_for_connections(const CellChoice& choice) {
+  if (choice.port)
+    throw CellPlanError(choice.source + ": found a port for \"" + choice.name +
+                        "\"; with --cell-per-connection all have the one of --robot-port");
+  if (is_name_of_connection(choice.name))
+    throw CellPlanError(choice.source + ": found the name \"" + choice.name +
+                        "\"; with --cell-per-connection c and a number name other robots");
+}
+
 }  // namespace
 
 bool is_cell_name(std::string_view name) {
@@ -108,13 +122,17 @@ CellChoice parse_cell(const std::string& text) {
 }
 
 std::vector<CellPlan> plan_cells(const ServeOptions& options) {
-  if (options.is_cell_per_connection) return {};
   refuse_repeated(options.cell_choices);
   std::vector<CellPlan> plans = named_plans(options);
+  if (plans.empty() && options.is_cell_per_connection) return {};
   if (plans.empty()) return {{"main", options.robot, options.workcell, options.robot_port}};
   if (plans.size() > options.max_cells) {
     throw CellPlanError("these are " + std::to_string(plans.size()) +
                         " cells, but --max-cells is " + std::to_string(options.max_cells));
+  }
+  if (options.is_cell_per_connection) {
+    std::ranges::for_each(options.cell_choices, refuse_for_connections);
+    return plans;
   }
   assign_ports(options, plans);
   refuse_clashes(options, plans);

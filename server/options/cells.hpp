@@ -51,8 +51,8 @@ class CellPlanError : public std::runtime_error {
 /// The first robot port of several cells: that of cell k is 9700 + k.
 inline constexpr std::uint16_t kFirstOfManyPorts = 9701;
 
-/// The cells, in order: one named `main` without --cells, --cell and --roster; none with
-/// --cell-per-connection. Throws CellPlanError.
+/// The cells, in order: one named `main` without --cells, --cell and --roster; with
+/// --cell-per-connection those of the roster, at port 0. Throws CellPlanError.
 std::vector<CellPlan> plan_cells(const ServeOptions& options);
 
 }  // namespace xr3

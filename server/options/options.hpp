@@ -52,6 +52,9 @@ inline constexpr const char* kUsualRobot = "rhino-xr3";
 /// The longest past that a cell keeps.
 inline constexpr Tick kMaxHistory = Tick{24} * 3600 * kTickHz;
 
+/// The connections for which each of several cells has room, unless --max-lines says otherwise.
+inline constexpr std::size_t kLinesOfEachCell = 4;
+
 struct ServeOptions {
   std::string robot = kUsualRobot;    ///< name or path
   std::string workcell;               ///< empty for the one with the robot's name

@@ -33,7 +33,10 @@ class RobotPort final : public LineSource {
   ErrorCode listen(const tcp::endpoint& endpoint) { return listener_.listen(endpoint); }
   /// Starts to accept on a socket that listens already, which the port then owns.
   ErrorCode adopt(int listening) { return listener_.adopt(listening); }
-  tcp::endpoint endpoint() const { return listener_.endpoint(); }
+  /// Clients connect at this endpoint, which others share; open() gets the connections.
+  void share(const tcp::endpoint& endpoint) { shared_ = endpoint; }
+  bool is_shared() const { return shared_.has_value(); }
+  tcp::endpoint endpoint() const { return shared_ ? *shared_ : listener_.endpoint(); }
   /// Listener::hold() and release().
   void hold(std::function<void()> waiting) { listener_.hold(std::move(waiting)); }
   void release() { listener_.release(); }
@@ -41,8 +44,8 @@ class RobotPort final : public LineSource {
   void open(NewConnection connection);
   /// Accepts no further connection.
   void close();
-  /// Listener::trouble().
-  std::string trouble() const { return listener_.trouble(); }
+  /// Listener::trouble(); empty if it shares an endpoint.
+  std::string trouble() const { return shared_ ? "" : listener_.trouble(); }
   /// Every line is in use: a further connection is refused.
   bool is_full() const { return open_ >= rules_.max_lines; }
 
@@ -68,6 +71,7 @@ class RobotPort final : public LineSource {
   LineSessions& lines_;
   RobotPortRules rules_;
   Listener listener_;
+  std::optional<tcp::endpoint> shared_;
   std::size_t open_ = 0;  ///< lines
   bool has_logged_full_ = false;
   bool has_logged_peer_ = false;

@@ -5,8 +5,8 @@
 namespace xr3 {
 
 OpenSession::OpenSession(MonitorService& service, MessageSink& sink,
-                         std::optional<std::string> chosen)
-    : MonitorSession(sink, service.sessions().first_access(), std::move(chosen)),
+                         const asio::ip::address& machine, std::optional<std::string> chosen)
+    : MonitorSession(sink, machine, service.sessions().first_access(), std::move(chosen)),
       service_(service) {
   send(service_.sessions().hello(*this));
   service_.sessions().add(*this);  // last: if anything throws, the session is not registered

@@ -15,7 +15,7 @@ namespace xr3 {
 class OpenSession final : public MonitorSession {
  public:
   /// Sends `hello`. The service must outlive the session; otherwise as MonitorSession.
-  OpenSession(MonitorService& service, MessageSink& sink,
+  OpenSession(MonitorService& service, MessageSink& sink, const asio::ip::address& machine = {},
               std::optional<std::string> chosen = std::nullopt);
   ~OpenSession();  // NOLINT(bugprone-exception-escape): as in the definition
 

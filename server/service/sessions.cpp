@@ -87,6 +87,7 @@ asio::awaitable<void> MonitorSessions::authorize(MonitorSession& session,
   }
   if (const CellPtr cell = cells_.find_by_token(token)) {
     session.grant(cell->name());
+    if (opened_) opened_(session.machine(), *cell);
     session.send(monitor::result(id, {{"access", "control"}, {"cell", cell->name()}}));
     if (session.access() == Access::kNone) session.send(hello(session));
     overview_.restart(session);

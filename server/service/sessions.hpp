@@ -3,8 +3,10 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "protocol/monitor/heading.hpp"
@@ -24,6 +26,10 @@ class MonitorSessions {
   MonitorSessions(asio::io_context& io, CellRegistry& cells, Overview& overview,
                   const AccessPolicy& policy)
       : io_(io), cells_(cells), overview_(overview), policy_(policy), wrong_tokens_(io) {}
+
+  /// Called when a client has shown the token of a cell, with its machine: see machine_of().
+  using Opened = std::function<void(const asio::ip::address& machine, const HostedCell& cell)>;
+  void when_opened(Opened opened) { opened_ = std::move(opened); }
 
   void add(MonitorSession& session) { all_.push_back(&session); }
   /// Closes the session's own lines.
@@ -63,6 +69,7 @@ class MonitorSessions {
   Overview& overview_;
   const AccessPolicy& policy_;
   WrongTokens wrong_tokens_;
+  Opened opened_;  ///< may be empty
   std::vector<MonitorSession*> all_;
   std::array<monitor::ChannelStats, monitor::kChannels> removed_{};  ///< by monitor::Channel
 };

@@ -31,10 +31,11 @@ using monitor::Access;
 
 class MonitorSession {
  public:
-  /// The sink must outlive the session; it is notified of output. `chosen`: the cell of requests
-  /// that name none; nullopt for the first that the session may see.
-  MonitorSession(MessageSink& sink, Access access, std::optional<std::string> chosen)
-      : sink_(sink), access_(access), chosen_cell_(std::move(chosen)) {}
+  /// The sink must outlive the session; it is notified of output. `machine`: of the client.
+  /// `chosen`: the cell of requests that name none; nullopt for the first that the session may see.
+  MonitorSession(MessageSink& sink, const asio::ip::address& machine, Access access,
+                 std::optional<std::string> chosen)
+      : sink_(sink), machine_(machine), access_(access), chosen_cell_(std::move(chosen)) {}
   MonitorSession(const MonitorSession&) = delete;
   MonitorSession& operator=(const MonitorSession&) = delete;
 
@@ -50,6 +51,9 @@ class MonitorSession {
   void send(monitor::Message message) { client_.send(std::move(message)); }
   /// Notifies the transport of output.
   void wake() { sink_.pump(); }
+
+  /// See machine_of().
+  const asio::ip::address& machine() const { return machine_; }
 
   /// The access to the server as a whole.
   Access access() const { return access_; }
@@ -82,6 +86,7 @@ class MonitorSession {
  private:
   monitor::Client client_;
   MessageSink& sink_;
+  asio::ip::address machine_;
   Access access_;
   int wrong_tokens_ = 0;
   std::set<std::string> granted_;

@@ -2,12 +2,14 @@
 
 import json
 import pathlib
+import socket
 import stat
 import tempfile
 import unittest
 
-from support import MonitorError, Server, run_xr3
+from support import DEADLINE_S, LOCALHOST, Line, MonitorError, Server, run_xr3
 from test_cells import cell_ports, line_to
+from test_line_websocket import LineWebsocket
 
 TOKEN = "the teacher's letters"
 
@@ -65,8 +67,9 @@ class Roster(unittest.TestCase):
         self.assertIn('class.csv:2: found the name "ada", which --cell gives already',
                       self.refused("--roster", roster, "--cell", "ada=adept-one"))
         self.assertIn("these are 2 cells, but --max-cells is 1", self.refused("--roster", roster, "--max-cells", 1))
-        self.assertIn("cannot be used with --cells, --cell or --roster",
-                      self.refused("--roster", roster, "--cell-per-connection"))
+        self.assertIn("with --roster needs --private", self.refused("--roster", roster, "--cell-per-connection"))
+        self.assertIn("cannot be used with --cells or --cell",
+                      self.refused("--roster", roster, "--cell-per-connection", "--cells", 2))
         self.assertIn("none.csv: cannot be read", self.refused("--roster", self.folder / "none.csv"))
         for option in ("--continue", "--record-keep=3"):
             self.assertIn("needs --record FOLDER and several cells", self.refused(option))
@@ -90,6 +93,53 @@ class Roster(unittest.TestCase):
         roster.write_text("name\nada\nbob\neve\n", encoding="utf-8")
         with self.private(roster) as xr3:
             self.assertEqual({**first, **second}, self.tokens(xr3))
+
+    def test_one_port_for_all(self):
+        roster = self.file("class.csv", "name\nada\nbob\n")
+        with self.private(roster, "--cell-per-connection") as xr3:
+            tokens = self.tokens(xr3)
+
+            def line_from(machine):
+                return Line(socket.create_connection((LOCALHOST, xr3.robot_port), DEADLINE_S, (machine, 0)))
+
+            def left(machine, send=""):
+                """The counts that joint E of the robot has left to move, after these bytes from the machine."""
+                with line_from(machine) as line:
+                    return line.ask(send + "E?") - 32
+
+            def open_page(machine, name):
+                page = socket.create_connection((LOCALHOST, xr3.monitor_port), DEADLINE_S, (machine, 0))
+                self.addCleanup(page.close)
+                page.sendall(b'{"op":"auth","id":1,"token":"%s"}\n' % tokens[name].encode())
+                with page.makefile() as lines:
+                    self.assertTrue(any('"id":1' in line for line in lines))
+
+            self.assertEqual(9, left("127.0.0.1", "E+9\r"))
+            self.assertEqual(0, left("127.0.0.1"), "each connection has a robot of its own until a page is open")
+            open_page("127.0.0.1", "ada")
+            open_page("127.0.0.2", "bob")
+            self.assertEqual([5, 7], [left("127.0.0.1", "E+5\r"), left("127.0.0.2", "E+7\r")])
+            self.assertEqual([5, 7, 0], [left(f"127.0.0.{machine}") for machine in (1, 2, 3)])
+            with LineWebsocket(xr3, "/line?cell=ada") as line:
+                line.auth(tokens["ada"])
+                line.send(b"E?")
+                self.assertEqual(bytes([32 + 5]), line.read(1))
+            open_page("127.0.0.1", "bob")
+            self.assertEqual(7, left("127.0.0.1"))
+            with xr3.monitor() as teacher:
+                teacher.request("auth", token=TOKEN)
+                self.assertIsNotNone(teacher.read())  # hello
+                cells = {cell["name"]: cell["robot_port"] for cell in teacher.call("cells")["cells"]}
+            self.assertEqual({"ada": xr3.robot_port, "bob": xr3.robot_port, "c1": None, "c2": None, "c3": None}, cells)
+
+    def test_one_port_with_continue(self):
+        roster = self.file("class.csv", "name\nada\n")
+        options = "--cell-per-connection", "--record", self.folder / "lessons", "--continue"
+        for expected in (9, 18):
+            with self.private(roster, *options) as xr3, xr3.monitor() as page:
+                page.request("auth", token=self.tokens(xr3)["ada"])
+                with xr3.line() as line:
+                    self.assertEqual(32 + expected, line.ask("E+9\rE?"))
 
     def test_a_token_in_a_file(self):
         self.file("ada.token", "sixteen letters of ada\n")

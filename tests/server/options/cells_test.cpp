@@ -65,8 +65,18 @@ TEST(Cells, AreLimited) {
   options.robot_port = 0;
   options.max_cells = 2;
   EXPECT_THAT(problem(options), HasSubstr("3 cells, but --max-cells is 2"));
+}
+
+TEST(Cells, ThoseOfConnectionsAreNotPlanned) {
+  ServeOptions options;
   options.is_cell_per_connection = true;
   EXPECT_EQ(plan_cells(options).size(), 0U);
+  options.cell_choices = {CellChoice{"ada", "", "", {}, "", "class.csv:2"}};
+  EXPECT_THAT(plan_cells(options), ElementsAre(plan("ada", 0)));
+  options.cell_choices.front().port = 9800;
+  EXPECT_THAT(problem(options), HasSubstr("class.csv:2: found a port for \"ada\""));
+  options.cell_choices = {CellChoice{"c7", "", "", {}, "", "class.csv:2"}};
+  EXPECT_THAT(problem(options), HasSubstr("class.csv:2: found the name \"c7\""));
 }
 
 TEST(Cells, AChoiceHasANameARobotAndPerhapsAWorkcellAndAPort) {
