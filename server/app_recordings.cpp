@@ -40,10 +40,12 @@ void App::start_recordings_of_class() {
 }
 
 void App::record(HostedCell& cell) {
-  const std::string path = has_many_cells(options_)
-                               ? new_recording_path(options_.record, cell.name(), system_now())
-                               : record_path_;
-  cell.record(path, {std::uint64_t{options_.record_max_mib} << 20U, &record_room_});
+  const RecordingLimits limits{std::uint64_t{options_.record_max_mib} << 20U, &record_room_};
+  if (!has_many_cells(options_)) return cell.record(record_path_, limits);
+  const auto new_path = [this, name = cell.name()] {
+    return new_recording_path(options_.record, name, system_now());
+  };
+  cell.record_daily(new_path, limits);
 }
 
 // Begins the recording of a cell while the server runs. If that fails, the cell continues without

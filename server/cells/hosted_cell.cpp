@@ -47,6 +47,13 @@ void HostedCell::record(std::string path, RecordingLimits limits) {
   recording_.emplace(context_.io, cell_, std::move(path), limits, [this] { after_input(); });
 }
 
+void HostedCell::record_daily(std::function<std::string()> new_path, RecordingLimits limits) {
+  daily_files_.emplace(cell_, [this, new_path] {
+    if (recording_) recording_->go_on_in(new_path);
+  });
+  record(new_path(), limits);
+}
+
 void HostedCell::finish_recording() {
   if (recording_) recording_->finish();
 }

@@ -38,6 +38,7 @@
 #include "server/net/worker.hpp"
 #include "server/options/options.hpp"
 #include "server/pty/port.hpp"
+#include "server/recording/daily_files.hpp"
 #include "server/recording/recording.hpp"
 #include "server/robot_port/port.hpp"
 #include "server/session/subscribers.hpp"
@@ -106,6 +107,9 @@ class HostedCell : public std::enable_shared_from_this<HostedCell> {
   /// Records the cell in this new file, before its first input; see recording.hpp. Throws
   /// FileError.
   void record(std::string path, RecordingLimits limits);
+  /// Records the cell in a new file each day: see DailyFiles. `new_path` makes the path of a file,
+  /// and may throw FileError.
+  void record_daily(std::function<std::string()> new_path, RecordingLimits limits);
   /// The cell gets no more input.
   void finish_recording();
 
@@ -163,6 +167,7 @@ class HostedCell : public std::enable_shared_from_this<HostedCell> {
   Cell cell_;
   Attention attention_;
   std::optional<LiveGoals> goals_;
+  std::optional<DailyFiles> daily_files_;
   std::optional<Recording> recording_;
   std::optional<History> history_;
   LineSessions lines_;

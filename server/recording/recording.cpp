@@ -3,6 +3,7 @@
 #include <spdlog/spdlog.h>
 
 #include <boost/asio/post.hpp>
+#include <cassert>
 #include <chrono>
 #include <utility>
 
@@ -29,9 +30,17 @@ Recording::Recording(asio::io_context& io, Cell& cell, std::string path, Recordi
       path_(std::move(path)),
       limits_(limits),
       on_input_(std::move(on_input)),
+      origin_(cell.value().origin),
       recorder_([this](const recording::Entry& entry) { add(entry); }),
       timer_(io),
       last_{0, 0, 0, recording::End{"", "limit"}} {
+  begin();
+  if (!is_over_) cell_.observe(recorder_);
+}
+
+Recording::~Recording() { cell_.end_observation(recorder_); }
+
+void Recording::begin() {
   const std::string header = header_line();
   std::string why = refusal(header.size());
   if (why.empty()) why = shortage();
@@ -40,14 +49,28 @@ Recording::Recording(asio::io_context& io, Cell& cell, std::string path, Recordi
     return;
   }
   begin_file(header);
-  cell_.observe(recorder_);
 }
 
-Recording::~Recording() { cell_.end_observation(recorder_); }
+void Recording::go_on_in(const std::function<std::string()>& new_path) {
+  assert(cell_.lines().empty());
+  if (is_over_) return;
+  end_file();
+  try {
+    path_ = new_path();
+    writer_ = {};
+    last_ = recorder_.end_of(cell_, "limit");
+    begin();
+  } catch (const FileError& error) {
+    fail(error.what());
+  }
+}
 
 std::string Recording::header_line() {
   recording::Header header = recording_header(cell_, "xr3 " XR3_VERSION);
-  if (cell_.is_continued()) header.start = continued_state(cell_, cell_.value().origin);
+  if (origin_.empty())
+    origin_ = origin_of(header);
+  else
+    header.start = continued_state(cell_, origin_);
   std::string line = writer_.line(header);
   if (line.size() > recording::kMaxLine || line.size() + kRoomForEnd > limits_.max_bytes)
     throw FileError(path_ + ": robot and workcell are too large for the recording");
@@ -133,7 +156,10 @@ void Recording::report(const std::string& why) {
 void Recording::finish() {
   cell_.end_observation(recorder_);
   timer_.cancel();
-  if (std::exchange(is_over_, true)) return;
+  if (!std::exchange(is_over_, true)) end_file();
+}
+
+void Recording::end_file() {
   file_->add(writer_.line(recorder_.end_of(cell_, "stopped")));
   file_->flush();
   if (!file_->failure().empty())

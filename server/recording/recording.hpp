@@ -9,10 +9,10 @@
 // files, for their owner alone. RecordingRoom (room.hpp) is shared by the recordings of all cells:
 // it limits their total and keeps space on the disk free. When a limit is reached, or a write
 // fails, the recording ends with a last line that says so, an event goes to the log and to the
-// monitor, and the cell continues. folder.hpp names the files of several cells, and retention.hpp
-// deletes old ones. The other way, source.hpp reads a recording piece by piece, and
-// recorded_end.hpp repeats it to its end, from which a cell can go on. joint_table.hpp is
-// independent of all: a table of joints over time, for `xr3 replay --csv` and `xr3 exec --csv`.
+// monitor, and the cell continues. Of several cells, daily_files.hpp begins a new
+// file each day, folder.hpp names the files, and retention.hpp deletes old ones. The other way,
+// source.hpp reads a recording piece by piece, and recorded_end.hpp repeats it to its end, from
+// which a cell can go on. joint_table.hpp is independent of all: a table of joints over time.
 #pragma once
 
 #include <cstdint>
@@ -46,10 +46,17 @@ class Recording {
   Recording& operator=(const Recording&) = delete;
   ~Recording();
 
+  /// Ends the file, and goes on in a new one, with the state of the cell in its header. A failure
+  /// ends the recording as any other does. No effect if it has ended. Precondition: no line is
+  /// open.
+  void go_on_in(const std::function<std::string()>& new_path);
+
   /// Ends the recording. Call after the last input of the cell.
   void finish();
 
  private:
+  void begin();
+  void end_file();
   std::string header_line();
   void begin_file(const std::string& header);
   void add(const recording::Entry& entry);
@@ -67,6 +74,7 @@ class Recording {
   std::string path_;
   RecordingLimits limits_;
   std::function<void()> on_input_;
+  std::string origin_;  ///< recording::ContinuedState::origin; empty before a first file
   std::optional<RecordingFile> file_;  ///< nullopt if there was no room for it
   recording::RecordingWriter writer_;
   Recorder recorder_;

@@ -66,6 +66,40 @@ TEST_F(CellRecording, IsWrittenSoonAndIsWholeAtTheEnd) {
   EXPECT_NE(text().find(R"("end":"stopped")"), std::string::npos);
 }
 
+TEST_F(CellRecording, GoesOnInAnotherFileThatReplaysAlone) {
+  const auto session = [this](const LineId line, std::string_view bytes) {
+    cell_.apply(LineOpened{"test"}, 0);
+    cell_.apply(BytesIn{line, bytes}, 0);
+    cell_.apply(call::Call{call::Step{Tick{30}}}, 0);
+    cell_.apply(LineClosed{line, LineCloseReason::kClientClosed}, 0);
+  };
+  const auto next = [this] { return path() + "2"; };
+  {
+    Recording recording(io_, cell_, path(), {kMiB}, [] {});
+    session(1, "F+90\rE+40\rE?");
+    recording.go_on_in(next);
+    session(2, "E?F?");
+    recording.finish();
+  }
+  for (const std::string& each : {path(), next()}) {
+    const auto replayed = test::replay(read_file(each).text);
+    EXPECT_FALSE(replayed.difference) << each;
+    EXPECT_EQ(replayed.inputs, 4U) << each;
+  }
+  EXPECT_EQ(test::replay(read_file(next()).text).state, cell_.state());
+}
+
+TEST_F(CellRecording, EndsWithAnEventIfItCannotGoOn) {
+  Recording recording(io_, cell_, path(), {kMiB}, [this] { ++acted_; });
+  recording.go_on_in([]() -> std::string { throw FileError("no folder"); });
+  cell_.apply(LineOpened{"test"}, 0);
+  io_.run();
+  EXPECT_EQ(acted_, 1);
+  ASSERT_EQ(failures_.size(), 1U);
+  EXPECT_NE(failures_[0].find("no folder"), std::string::npos);
+  EXPECT_NE(text().find(R"("end":"stopped")"), std::string::npos);
+}
+
 TEST_F(CellRecording, EndsAtItsMaximumSizeWithAnEvent) {
   Recording recording(io_, cell_, path(), {30'000}, [this] { ++acted_; });
   cell_.apply(LineOpened{"test", LineKind::kPty}, 0);
