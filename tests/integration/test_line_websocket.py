@@ -40,7 +40,7 @@ class LineWebsocket:
         self.socket.sendall(bytes([kind, 0x80 | len(data), 0, 0, 0, 0]) + data)
 
     def auth(self, token):
-        self.send(b'{"op":"auth","token":"%s"}' % token.encode(), TEXT)
+        self.send(b'{"op":"auth","id":1,"token":"%s"}' % token.encode(), TEXT)
 
     def frame(self):
         kind, size = self.file.read(2)

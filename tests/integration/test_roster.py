@@ -107,7 +107,14 @@ class Roster(unittest.TestCase):
                 with line_from(machine) as line:
                     return line.ask(send + "E?") - 32
 
-            def open_page(machine, name):
+            def open_page(name):
+                page = LineWebsocket(xr3, f"/ws?cell={name}")
+                self.addCleanup(page.close)
+                page.auth(tokens[name])
+                self.assertIn(b'"op":"hello"', page.frame()[1])
+                self.assertIn(b'"access":"control"', page.frame()[1])
+
+            def open_monitor(machine, name):
                 page = socket.create_connection((LOCALHOST, xr3.monitor_port), DEADLINE_S, (machine, 0))
                 self.addCleanup(page.close)
                 page.sendall(b'{"op":"auth","id":1,"token":"%s"}\n' % tokens[name].encode())
@@ -116,15 +123,15 @@ class Roster(unittest.TestCase):
 
             self.assertEqual(9, left("127.0.0.1", "E+9\r"))
             self.assertEqual(0, left("127.0.0.1"), "each connection has a robot of its own until a page is open")
-            open_page("127.0.0.1", "ada")
-            open_page("127.0.0.2", "bob")
+            open_page("ada")
+            open_monitor("127.0.0.2", "bob")
             self.assertEqual([5, 7], [left("127.0.0.1", "E+5\r"), left("127.0.0.2", "E+7\r")])
             self.assertEqual([5, 7, 0], [left(f"127.0.0.{machine}") for machine in (1, 2, 3)])
             with LineWebsocket(xr3, "/line?cell=ada") as line:
                 line.auth(tokens["ada"])
                 line.send(b"E?")
                 self.assertEqual(bytes([32 + 5]), line.read(1))
-            open_page("127.0.0.1", "bob")
+            open_page("bob")
             self.assertEqual(7, left("127.0.0.1"))
             with xr3.monitor() as teacher:
                 teacher.request("auth", token=TOKEN)
