@@ -205,6 +205,17 @@ test("slips have name, link, its code and what to type, in the order of names, a
     await page.waitForSelector("#slips-button:focus");
   }, { tokens: tokensOf(kClass), page: { colorScheme: "dark" } }));
 
+const kOnePort = ["ada", "bob"].map((name) => cellNamed(name, { robot_port: 9600 }));
+
+test("slips of robots with one port say where the programs have to run", () =>
+  withClass(kOnePort, async (page) => {
+    await page.click("#slips-button");
+    await page.fill("#host", "192.168.1.7");
+    await page.click("#ask-host button[value=ok]");
+    await page.waitForSelector(".slip");
+    assert.equal(await page.locator(".slip .programs").first().textContent(), "Programs on the machine on which you have opened it:");
+  }, { tokens: tokensOf(kOnePort) }));
+
 const kStudents = Array.from({ length: 17 }, (_, i) => cellNamed(`student-${String(i + 1).padStart(2, "0")}`, { robot_port: 39701 + i }));
 
 test("printed, there are slips only, eight on a sheet, and none is on two", () =>

@@ -85,7 +85,9 @@ export class Slips {
   /** @param {Cell} cell @param {string} host */
   #slip({ name, robot_port: port, token }, host) {
     const link = this.links.knownLink(name, token);
-    const programs = port === null ? [] : [el("p.programs", {}, "Programs on your own machine:"), ...linesFor(host, port)];
+    const isShared = this.cells.filter((each) => each.robot_port === port).length > 1;
+    const where = isShared ? "Programs on the machine on which you have opened it:" : "Programs on your own machine:";
+    const programs = port === null ? [] : [el("p.programs", {}, where), ...linesFor(host, port)];
     const slip = el("li.slip", {}, codeOf(link), el("h2", {}, name), el("p", {}, "Your robot, in a browser:"), el("p.link", {}, link), ...programs);
     slip.dataset.name = name;
     return slip;
