@@ -1,5 +1,6 @@
 #include "server/monitor_port/connection.hpp"
 
+#include <cassert>
 #include <chrono>
 #include <utility>
 
@@ -21,7 +22,9 @@ MonitorConnection::MonitorConnection(tcp::socket socket, const tcp::endpoint& pe
       peer_(peer),
       place_(std::move(place)),
       socket_(std::make_shared<MonitorSocket>(std::move(socket), context.memory)),
-      silence_(socket_->executor()) {}
+      silence_(socket_->executor()) {
+  assert(place_);
+}
 
 void MonitorConnection::start() {
   spawn_session(socket_->executor(), "monitor", run(), [self = shared_from_this()] {

@@ -38,7 +38,7 @@ struct MonitorConnectionContext {
 
 class MonitorConnection : public std::enable_shared_from_this<MonitorConnection> {
  public:
-  /// Keeps `place` to its end.
+  /// Keeps `place`, the client's machine, to its end. Precondition: it is not null.
   MonitorConnection(tcp::socket socket, const tcp::endpoint& peer,
                     MonitorConnectionContext& context, PeerCounts::Place place);
 

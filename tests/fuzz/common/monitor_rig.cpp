@@ -179,8 +179,8 @@ std::string MonitorRig::converse_once(const Pieces& pieces) {
   is_over_ = false;
   tcp::socket socket(io_, tcp::v4(), peer.server());
   socket.non_blocking(true);
-  const auto connection =
-      std::make_shared<MonitorConnection>(std::move(socket), tcp::endpoint(), context_, nullptr);
+  const auto connection = std::make_shared<MonitorConnection>(
+      std::move(socket), tcp::endpoint(), context_, std::make_shared<const asio::ip::address>());
   connection->start();
   for (const std::string& piece : pieces) send(peer, piece);
   peer.shut_down();
