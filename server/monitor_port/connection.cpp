@@ -57,13 +57,26 @@ asio::awaitable<void> MonitorConnection::run() {
 asio::awaitable<void> MonitorConnection::serve_websocket(std::string head,
                                                          http::HttpRequest request) {
   const std::optional<std::string> cell = request.parameter("cell");
-  if (http::subprotocol_of(request.path()) == http::kLineSubprotocol) {
+  if (request.path() == http::kLinePath) {
     line_ = LineWebsocket::make(socket_, {machine(), peer_.port()}, context_.service, cell,
                                 context_.has_room);
     co_return co_await line_->run(std::move(head));
   }
-  websocket_ = Websocket::make(socket_, machine(), context_.service, cell);
+  WebsocketContent content = request.path() == http::kFoxglovePath
+                                 ? co_await foxglove_content(request)
+                                 : monitor_content(context_.service, machine(), cell);
+  if (!socket_->is_open()) co_return;
+  websocket_ = Websocket::make(socket_, std::move(content));
   co_await websocket_->run(std::move(head));
+}
+
+/// Waits for the cell, which is not there with `--continue` until it has gone on.
+asio::awaitable<WebsocketContent> MonitorConnection::foxglove_content(http::HttpRequest request) {
+  const CellPtr at = context_.resources.cell_of(request);
+  co_await at->be_back();
+  co_return WebsocketContent{
+      http::subprotocol_for(request), foxglove::kMaxClientBytes,
+      [this, at](MessageSink& sink) { return context_.foxglove.open(sink, at); }};
 }
 
 // --- The detector.
