@@ -7,7 +7,7 @@ import subprocess
 import threading
 
 from support import DEADLINE_S, LOCALHOST, ROOT
-from test_line_websocket import TEXT, LineWebsocket
+from test_line_websocket import BINARY, CLOSE, TEXT, LineWebsocket
 
 PACKAGES = os.path.join(ROOT, "clients", "web", "node_modules")
 SDK, OLDER = "foxglove.sdk.v1", "foxglove.websocket.v1"
@@ -88,12 +88,19 @@ class FoxgloveSocket(LineWebsocket):
             kind, data = self.frame()
             if kind == TEXT:
                 return json.loads(data)
-            assert kind == 0x82, (kind, data)
+            assert kind == BINARY, (kind, data)
 
     def say(self, message):
-        """Sends a text message of any size."""
+        """Sends a text message of less than 64 KiB."""
         data = message if isinstance(message, bytes) else json.dumps(message).encode()
-        self.socket.sendall(bytes([TEXT, 0x80 | 127]) + len(data).to_bytes(8, "big") + bytes(4) + data)
+        size = bytes([0x80 | len(data)]) if len(data) < 126 else bytes([0x80 | 126]) + len(data).to_bytes(2, "big")
+        self.socket.sendall(bytes([TEXT]) + size + bytes(4) + data)
+
+    def end(self):
+        """The code of the close frame, after the messages before it."""
+        while (frame := self.frame())[0] != CLOSE:
+            pass
+        return int.from_bytes(frame[1][:2], "big")
 
     def subscribe(self, *channels):
         self.say({"op": "subscribe", "subscriptions": [{"id": each, "channelId": each} for each in channels]})
