@@ -1,4 +1,4 @@
-"""`xr3 export` as a command: its files, the robots that it takes, and what it refuses. test_export_judges.py has the
+"""`xr3 export` as a command: its files, the robots that it takes, and what it refuses. test_export_judges_release.py has the
 programs that read the files."""
 
 import os

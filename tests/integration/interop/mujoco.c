@@ -1,4 +1,4 @@
-/* Loads a robot (URDF or MJCF) into MuJoCo for tests/integration/test_export_judges.py.
+/* Loads a robot (URDF or MJCF) into MuJoCo for tests/integration/test_export_judges_release.py.
    mujoco FILE          reads poses from standard input, a line of NAME=VALUE for each, and prints for each
                         the places of all bodies on a line: NAME x y z and the nine elements of the rotation
    mujoco FILE SECONDS  simulates from the key frame `home`; halfway it sets the controls A and B to 0; prints the

@@ -1,5 +1,5 @@
 // Robots that `xr3 export --urdf` has written, in Chromium: urdf-loader draws them where `xr3 kin` has them, and in the shape
-// in which xr3's page draws them. XR3_EXPORTED is the folder with them (tests/integration/test_export_judges.py).
+// in which xr3's page draws them. XR3_EXPORTED is the folder with them (tests/integration/test_export_judges_release.py).
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { once } from "node:events";

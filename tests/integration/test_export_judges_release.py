@@ -1,4 +1,3 @@
-# labels: full
 """The files of `xr3 export` in the programs of others: check_urdf accepts them, MuJoCo's forward kinematics is that of
 `xr3 kin`, a simulation in MuJoCo stays finite, and urdf-loader draws them in Chromium."""
 
@@ -72,7 +71,8 @@ class Judges(unittest.TestCase):
     def setUpClass(cls):
         folder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(folder.cleanup)
-        cls.folder = pathlib.Path(folder.name)
+        cls.program = pathlib.Path(folder.name, "mujoco")
+        cls.folder = pathlib.Path(folder.name, "robots")
         for robot in ROBOTS:
             for form in "--urdf", "--mjcf":
                 subprocess.run([XR3, "export", form, robot, cls.folder / robot], check=True, stdout=subprocess.DEVNULL)
@@ -81,11 +81,10 @@ class Judges(unittest.TestCase):
         return self.folder / robot / f"{robot}.{ending}"
 
     def mujoco(self, *arguments, given=None):
-        program = self.folder / "mujoco"
-        if not program.exists():
-            subprocess.run(["gcc", "-O1", "-o", program, pathlib.Path(ROOT, "tests/integration/interop/mujoco.c"), "-lmujoco", "-lm"],
-                           check=True)
-        done = subprocess.run([program, *arguments], input=given, capture_output=True, text=True, check=False)
+        if not self.program.exists():
+            source = pathlib.Path(ROOT, "tests/integration/interop/mujoco.c")
+            subprocess.run(["gcc", "-o", self.program, source, "-lmujoco", "-lm"], check=True)
+        done = subprocess.run([self.program, *arguments], input=given, capture_output=True, text=True, check=False)
         self.assertEqual((0, ""), (done.returncode, done.stderr))
         return done.stdout
 
