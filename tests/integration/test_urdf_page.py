@@ -1,7 +1,9 @@
 """docs/interop/urdf.md: a reader runs its commands, with check_urdf and MuJoCo, and sees what it shows (reader.py)."""
 # labels: full
 
+import os
 import pathlib
+import shutil
 import tempfile
 import unittest
 
@@ -11,6 +13,8 @@ from support import ROOT, XR3
 TEXT = pathlib.Path(ROOT, "docs", "interop", "urdf.md").read_text(encoding="utf-8")
 
 
+@unittest.skipUnless(shutil.which("check_urdf") and os.path.exists("/usr/include/mujoco/mujoco.h"),
+                     "check_urdf or MuJoCo is not installed (scripts/setup full)")
 class Page(unittest.TestCase):
     def test_commands(self):
         reader = Reader(self, pathlib.Path(self.enterContext(tempfile.TemporaryDirectory())), others=("js",))
