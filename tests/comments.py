@@ -28,6 +28,7 @@ MAIN_FILES = {
     "protocol/line": "protocol/line/rhino_endpoint.hpp",
     "protocol/monitor": "protocol/monitor/client.hpp",
     "protocol/monitor/calls": "protocol/monitor/calls/form.hpp",
+    "protocol/scene": "protocol/scene/links.hpp",
     "protocol/text": "protocol/text/printable.hpp",
     "server": "server/app.hpp",
     "server/cells": "server/cells/hosted_cell.hpp",

@@ -39,7 +39,7 @@ std::optional<std::string> write_messages(const ConvertOptions& options, Draft& 
   const auto append = [&](std::string_view bytes) { draft.append(bytes); };
   mcap::McapWriter writer(append, "xr3 " XR3_VERSION, mcap_channels(cell.model()),
                           zstd_compression());
-  FoxgloveMessages messages(writer, cell.model());
+  FoxgloveMessages messages(options.in, cell.model(), writer);
   CellSampler sampler(cell, options.every_ms.value_or(kUsualEveryMs), messages);
   if (!run.repeat(cell)) return std::nullopt;
   sampler.finish();

@@ -1,10 +1,10 @@
 #include "cli/mcap/foxglove_messages.hpp"
 
-#include <nettle/base64.h>
-
 #include "core/coupling.hpp"
+#include "protocol/foxglove/line_log.hpp"
 #include "protocol/foxglove/messages.hpp"
-#include "protocol/foxglove/wire_log.hpp"
+#include "server/files/base64.hpp"
+#include "server/files/data_files.hpp"
 #include "server/files/png.hpp"
 
 namespace xr3 {
@@ -15,14 +15,6 @@ using foxglove::Topic;
 namespace {
 
 constexpr std::size_t kWireChannel = foxglove::kTopics;
-
-std::string base64(const std::string& bytes) {
-  std::string text(BASE64_ENCODE_RAW_LENGTH(bytes.size()), '\0');
-  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): bytes of a C library
-  const auto* const from = reinterpret_cast<const std::uint8_t*>(bytes.data());
-  base64_encode_raw(text.data(), bytes.size(), from);
-  return text;
-}
 
 }  // namespace
 
@@ -35,11 +27,11 @@ std::vector<mcap::McapChannel> mcap_channels(const Model& model) {
   return channels;
 }
 
-FoxgloveMessages::FoxgloveMessages(mcap::McapWriter& writer, const Model& model)
-    : writer_(writer), links_(scene_links(model)) {}
+FoxgloveMessages::FoxgloveMessages(std::string file, const Model& model, mcap::McapWriter& writer)
+    : file_(std::move(file)), links_(scene_links(model)), writer_(writer) {}
 
 void FoxgloveMessages::add_state(Cell& cell) {
-  const Nanoseconds time = timeline_.at(cell.epoch(), cell.state().tick);
+  const Nanoseconds time = time_of(cell.epoch(), cell.state().tick);
   if (!positions_) add(Topic::kScene, time, foxglove::scene_text(links_, time));
   add_transforms(cell, time);
   add_blocks(cell, time);
@@ -66,17 +58,27 @@ void FoxgloveMessages::add_image(Cell& cell, Nanoseconds time) {
   const ImagePtr now = cell.camera_image();
   if (!now || (image_ && *image_ == *now)) return;
   image_ = now;
-  add(Topic::kCamera, time, foxglove::image_text(base64(to_png(*now)), time));
+  add(Topic::kCamera, time, foxglove::image_text(to_base64(to_png(*now)), time));
 }
 
 void FoxgloveMessages::add_event(const CellEvent& event, const Model& model) {
-  const Nanoseconds time = timeline_.at(event.epoch, event.tick);
+  const Nanoseconds time = time_of(event.epoch, event.tick);
   add(Topic::kEvents, time, foxglove::log_text(event, model, time));
 }
 
 void FoxgloveMessages::add_wire(const WireRecord& record, const Model& model) {
-  const Nanoseconds time = timeline_.at(record.epoch, record.tick);
-  add(kWireChannel, time, foxglove::wire_text(record, model, time));
+  const Nanoseconds time = time_of(record.epoch, record.tick);
+  add(kWireChannel, time, foxglove::log_text(record, model, time));
+}
+
+Nanoseconds FoxgloveMessages::time_of(Epoch epoch, Tick tick) {
+  constexpr auto kMaxTick = static_cast<Tick>(UINT64_MAX / foxglove::since_epoch(1));
+  const Nanoseconds time = timeline_.at(epoch, tick);
+  if (tick > kMaxTick || time < last_)
+    throw FileError(file_ + ": comes to epoch " + std::to_string(epoch) + ", tick " +
+                    std::to_string(tick) + "; all epochs together may have " +
+                    std::to_string(kMaxTick) + " ticks, since MCAP counts nanoseconds");
+  return time;
 }
 
 void FoxgloveMessages::add(Topic topic, Nanoseconds time, const std::string& message) {

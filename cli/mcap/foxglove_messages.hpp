@@ -20,10 +20,11 @@ std::vector<mcap::McapChannel> mcap_channels(const Model& model);
 
 class FoxgloveMessages {
  public:
-  /// The writer has the channels of the model, and outlives the messages.
-  FoxgloveMessages(mcap::McapWriter& writer, const Model& model);
+  /// `file` is the recording, for errors. The writer has the channels of the model, and outlives the
+  /// messages.
+  FoxgloveMessages(std::string file, const Model& model, mcap::McapWriter& writer);
 
-  // The times of the calls must not decrease.
+  // The times of the calls must not decrease. Each throws FileError if they have no nanoseconds.
 
   /// Adds what has changed since the last call.
   void add_state(Cell& cell);
@@ -35,14 +36,16 @@ class FoxgloveMessages {
   foxglove::Nanoseconds span() const { return last_ - first_.value_or(last_); }
 
  private:
+  foxglove::Nanoseconds time_of(Epoch epoch, Tick tick);
   void add(std::size_t channel, foxglove::Nanoseconds time, const std::string& message);
   void add(foxglove::Topic topic, foxglove::Nanoseconds time, const std::string& message);
   void add_transforms(const Cell& cell, foxglove::Nanoseconds time);
   void add_blocks(const Cell& cell, foxglove::Nanoseconds time);
   void add_image(Cell& cell, foxglove::Nanoseconds time);
 
-  mcap::McapWriter& writer_;
+  std::string file_;
   std::vector<SceneLink> links_;
+  mcap::McapWriter& writer_;
   foxglove::Timeline timeline_;
   std::optional<Positions> positions_;                        ///< in the last transforms
   std::optional<std::vector<foxglove::PlacedBlock>> blocks_;  ///< in the last `/blocks`

@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <utility>
 
 #include "core/drawing/stick_figure.hpp"
+#include "core/drawing/strokes.hpp"
 #include "core/grasp.hpp"
 
 namespace xr3 {
 namespace {
 
-constexpr int kRingCorners = 24;
-constexpr double kTableThicknessMm = 12;
 constexpr std::size_t kWiresPerBlock = 4;
 
 Eigen::Vector3d vector(const PointMm& p) { return {p.x, p.y, p.z}; }
@@ -20,20 +20,14 @@ Eigen::Vector3d carried(const Transform& pose, const Eigen::Vector3d& p) {
   return pose.block<3, 3>(0, 0) * p + pose.block<3, 1>(0, 3);
 }
 
-/// Adds one polyline for each run of pen-down lines; `place` transforms the points.
+/// Adds the strokes of an outline; `place` transforms the points.
 template <class Place>
 void add_outline(std::vector<Wire>& wires, const std::string& part, int color,
-                 const std::vector<OutlinePoint>& points, Place place) {
-  std::vector<Eigen::Vector3d> drawn;
-  const auto lift_pen = [&] {
-    if (drawn.size() >= 2) wires.push_back({part, color, drawn});
-    drawn.clear();
-  };
-  for (const OutlinePoint& point : points) {
-    if (!point.draw) lift_pen();
-    drawn.push_back(place(vector(point.p_mm)));
+                 const std::vector<OutlinePoint>& outline, Place place) {
+  for (Stroke& stroke : strokes_of(outline)) {
+    for (Eigen::Vector3d& p : stroke) p = place(p);
+    wires.push_back({part, color, std::move(stroke)});
   }
-  lift_pen();
 }
 
 std::string link_part(std::size_t link, std::size_t last) {

@@ -42,6 +42,11 @@ using FlatWire = Polyline<Eigen::Vector2d>;  ///< projected onto a view, mm
 inline constexpr int kPathColor = 4;
 inline constexpr int kSurfaceColor = 8;
 
+/// A circle of the carousel is a polygon with these corners.
+inline constexpr int kRingCorners = 24;
+/// Height of the carousel's disc, below which is its column.
+inline constexpr double kTableThicknessMm = 12;
+
 /// Links from the base to the tool's body, then the tool's moving parts, then the carousel.
 std::vector<Wire> robot_wires(const Model& model, const Positions& positions);
 

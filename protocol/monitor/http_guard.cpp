@@ -97,6 +97,13 @@ bool is_origin_allowed(std::string_view origin, std::string_view host, const Gua
   return std::find(rules.origins.begin(), rules.origins.end(), origin) != rules.origins.end();
 }
 
+bool is_desktop_allowed(std::string_view origin, const GuardRules& rules) {
+  const bool is_of_app = origin == "null" || origin.starts_with("file://");
+  return is_of_app &&
+         std::find(rules.origins.begin(), rules.origins.end(), kDesktopOrigin) !=
+             rules.origins.end();
+}
+
 bool is_local_host(std::string_view host) {
   const auto name = without_port(host);
   return name && is_local_name(*name);

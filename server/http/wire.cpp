@@ -1,12 +1,14 @@
 #include "server/http/wire.hpp"
 
 #include <algorithm>
+#include <array>
 #include <boost/asio/buffer.hpp>
 #include <boost/beast/http/parser.hpp>
 #include <boost/beast/http/string_body.hpp>
 #include <boost/beast/http/write.hpp>
 #include <boost/beast/websocket/rfc6455.hpp>
 
+#include "protocol/foxglove/wire.hpp"
 #include "protocol/monitor/http_guard.hpp"
 #include "protocol/text/text_stream.hpp"
 
@@ -16,10 +18,25 @@ namespace {
 namespace beast = boost::beast;
 using Parser = beast::http::request_parser<beast::http::string_body>;
 
+constexpr std::array<std::string_view, 1> kMonitorSubprotocols{"xr3.v1"};
+constexpr std::array<std::string_view, 1> kLineSubprotocols{"xr3.line.v1"};
 constexpr std::string_view kLineEnd = "\r\n";
 constexpr std::string_view kHeadEnd = "\r\n\r\n";
 constexpr std::string_view kScheme = "http://";
 constexpr unsigned kHttp11 = 11;
+
+/// Whether a list with commas has this word.
+bool has_token(std::string_view list, std::string_view wanted) {
+  while (!list.empty()) {
+    const std::size_t comma = std::min(list.find(','), list.size());
+    std::string_view word = list.substr(0, comma);
+    list.remove_prefix(std::min(comma + 1, list.size()));
+    const std::size_t first = std::min(word.find_first_not_of(" \t"), word.size());
+    word = word.substr(first, word.find_last_not_of(" \t") + 1 - first);
+    if (word == wanted) return true;
+  }
+  return false;
+}
 
 std::string_view view(beast::string_view text) { return {text.data(), text.size()}; }
 
@@ -158,10 +175,22 @@ std::vector<std::string_view> HttpRequest::values(std::string_view name) const {
   return found;
 }
 
-std::string_view subprotocol_of(std::string_view path) {
-  if (path == "/ws") return kSubprotocol;
-  if (path == "/line") return kLineSubprotocol;
+std::span<const std::string_view> subprotocols_of(std::string_view path) {
+  if (path == kMonitorPath) return kMonitorSubprotocols;
+  if (path == kLinePath) return kLineSubprotocols;
+  if (path == kFoxglovePath) return foxglove::kSubprotocols;
   return {};
+}
+
+std::string_view subprotocol_for(const HttpRequest& request) {
+  const auto known = subprotocols_of(request.path());
+  const auto offers = request.values("Sec-WebSocket-Protocol");
+  if (known.empty() || offers.empty()) return known.empty() ? std::string_view() : known.front();
+  const auto is_offered = [&](std::string_view name) {
+    return std::ranges::any_of(offers, [&](std::string_view list) { return has_token(list, name); });
+  };
+  const auto found = std::ranges::find_if(known, is_offered);
+  return found == known.end() ? std::string_view() : *found;
 }
 
 std::string_view HttpRequest::path() const {

@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,11 +24,12 @@ namespace xr3::http {
 inline constexpr std::size_t kMaxHeadBytes = 16 * 1024;
 inline constexpr std::size_t kMaxTargetBytes = 8 * 1024;
 inline constexpr std::size_t kMaxFields = 64;
-/// The WebSocket subprotocols of /ws, a session of the monitor, and of /line, a serial line.
-inline constexpr std::string_view kSubprotocol = "xr3.v1";
-inline constexpr std::string_view kLineSubprotocol = "xr3.line.v1";
-/// The subprotocol of a path; empty if it is no WebSocket's.
-std::string_view subprotocol_of(std::string_view path);
+/// The paths of WebSockets: a session of the monitor, a serial line, and a Foxglove client.
+inline constexpr std::string_view kMonitorPath = "/ws";
+inline constexpr std::string_view kLinePath = "/line";
+inline constexpr std::string_view kFoxglovePath = "/foxglove";
+/// The WebSocket subprotocols of a path; empty if it is no WebSocket's.
+std::span<const std::string_view> subprotocols_of(std::string_view path);
 
 /// Whether the connection stays open after a message.
 enum class Then : std::uint8_t { kKeep, kClose };
@@ -52,6 +54,10 @@ struct HttpRequest {
   /// if it is absent.
   std::optional<std::string> parameter(std::string_view name) const;
 };
+
+/// The subprotocol of a handshake: the first of its path that the client has offered, or the first
+/// of all if it has offered none. Empty if it has offered others only.
+std::string_view subprotocol_for(const HttpRequest& request);
 
 /// The reason why a head is refused.
 enum class HeadFault : std::uint8_t {

@@ -54,11 +54,15 @@ asio::awaitable<void> MonitorConnection::run() {
 asio::awaitable<void> MonitorConnection::serve_websocket(std::string head,
                                                          http::HttpRequest request) {
   const std::optional<std::string> cell = request.parameter("cell");
-  if (http::subprotocol_of(request.path()) == http::kLineSubprotocol) {
+  if (request.path() == http::kLinePath) {
     line_ = LineWebsocket::make(socket_, peer_, context_.service, cell, context_.has_room);
     co_return co_await line_->run(std::move(head));
   }
-  websocket_ = Websocket::make(socket_, context_.service, cell);
+  WebsocketContent content = request.path() == http::kFoxglovePath
+                                 ? co_await foxglove_content(request)
+                                 : monitor_content(context_.service, cell);
+  if (!socket_->is_open()) co_return;
+  websocket_ = Websocket::make(socket_, std::move(content));
   co_await websocket_->run(std::move(head));
 }
 

@@ -1,6 +1,7 @@
 #include "server/monitor_port/websocket.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <boost/asio/post.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
@@ -88,10 +89,41 @@ ws::close_code code_of(std::optional<monitor::CloseReason> why) {
   return ws::close_code::normal;
 }
 
+/// A client of the monitor.
+class MonitorWebsocketSession final : public WebsocketSession {
+ public:
+  MonitorWebsocketSession(MonitorService& service, MessageSink& sink,
+                          std::optional<std::string> cell)
+      : session_(service, sink, std::move(cell)) {}
+
+  asio::awaitable<void> handle(std::string_view message) override {
+    return session_.handle(message);
+  }
+  std::optional<WebsocketMessage> next_output() override {
+    monitor::Message text = session_.next_output();
+    if (!text) return std::nullopt;
+    return WebsocketMessage{WebsocketMessage::Type::kText, "", std::move(text)};
+  }
+  bool is_full() const override { return session_.client().is_full(); }
+  std::size_t held_bytes() const override { return session_.client().held_bytes(); }
+  void end(monitor::CloseReason why) override { session_.end(why); }
+  std::optional<monitor::CloseReason> close_reason() const override {
+    return session_.client().close_reason();
+  }
+
+ private:
+  OpenSession session_;
+};
+
+std::array<asio::const_buffer, 2> buffers_of(const WebsocketMessage& message) {
+  return {asio::buffer(message.head),
+          message.text ? asio::buffer(*message.text) : asio::const_buffer()};
+}
+
 class BeastWebsocket final : public Websocket, private MessageSink {
  public:
-  BeastWebsocket(std::shared_ptr<MonitorSocket> socket, MonitorService& service,
-                 std::optional<std::string> cell, WebsocketPatience patience);
+  BeastWebsocket(std::shared_ptr<MonitorSocket> socket, WebsocketContent content,
+                 WebsocketPatience patience);
 
   asio::awaitable<void> run(std::string head) override;
   void finish() override;
@@ -120,14 +152,13 @@ class BeastWebsocket final : public Websocket, private MessageSink {
   void ping();
 
   std::shared_ptr<MonitorSocket> socket_;
-  MonitorService& service_;
-  std::optional<std::string> cell_;
+  WebsocketContent content_;
   WebsocketPatience patience_;
   ws::stream<TimedStream> stream_;
-  std::unique_ptr<OpenSession> session_;  ///< after the handshake
-  beast::flat_buffer received_;           ///< bounded by the maximum message size
-  monitor::Message message_;              ///< being written
-  asio::steady_timer progress_;           ///< never expires; cancelled to resume waiting coroutines
+  std::unique_ptr<WebsocketSession> session_;  ///< after the handshake
+  beast::flat_buffer received_;                ///< bounded by the maximum message size
+  std::optional<WebsocketMessage> message_;    ///< being written
+  asio::steady_timer progress_;  ///< never expires; cancelled to resume waiting coroutines
   asio::steady_timer watch_;
   SteadyClock::time_point last_received_;  ///< when the client last sent anything
   bool is_reading_ = false;
@@ -136,20 +167,18 @@ class BeastWebsocket final : public Websocket, private MessageSink {
   bool is_pinged_ = false;  ///< a ping was sent after `last_received_`
 };
 
-BeastWebsocket::BeastWebsocket(std::shared_ptr<MonitorSocket> socket, MonitorService& service,
-                               std::optional<std::string> cell, WebsocketPatience patience)
+BeastWebsocket::BeastWebsocket(std::shared_ptr<MonitorSocket> socket, WebsocketContent content,
+                               WebsocketPatience patience)
     : socket_(std::move(socket)),
-      service_(service),
-      cell_(std::move(cell)),
+      content_(std::move(content)),
       patience_(patience),
       stream_(socket_->stream()),
       progress_(socket_->executor(), kNoDeadline),
       watch_(socket_->executor()) {
   // We use our own idle timer: Beast's would also run while a call waits and nothing is read.
   stream_.set_option(ws::stream_base::timeout{kMaxHandshake, ws::stream_base::none(), false});
-  stream_.read_message_max(monitor::kMaxMessageBytes);
+  stream_.read_message_max(content_.max_message);
   stream_.auto_fragment(false);
-  stream_.text(true);
 }
 
 // --- The handshake.
@@ -158,9 +187,9 @@ asio::awaitable<void> BeastWebsocket::run(std::string head) {
   assert(http::read_head(head).fault == http::HeadFault::kNone);
   stream_.control_callback(
       [this](ws::frame_type, beast::string_view) { last_received_ = SteadyClock::now(); });
-  const bool accepted = co_await accept_handshake(stream_, head, http::kSubprotocol);
+  const bool accepted = co_await accept_handshake(stream_, head, content_.subprotocol);
   if (accepted && socket_->is_open()) {
-    session_ = std::make_unique<OpenSession>(service_, static_cast<MessageSink&>(*this), cell_);
+    session_ = content_.open(static_cast<MessageSink&>(*this));
     last_received_ = SteadyClock::now();
     watch();
     pump();
@@ -203,7 +232,7 @@ asio::awaitable<bool> BeastWebsocket::read_text() {
 }
 
 bool BeastWebsocket::is_full() const {
-  return session_->client().is_full() || (message_ && message_->size() >= kLongMessage);
+  return session_->is_full() || (message_ && message_->size() >= kLongMessage);
 }
 
 asio::awaitable<void> BeastWebsocket::until_there_is_room() {
@@ -219,10 +248,11 @@ void BeastWebsocket::pump() {
   message_ = session_->next_output();
   if (message_) {
     socket_->count_bytes(message_->size());
-    stream_.async_write(asio::buffer(*message_),
+    stream_.text(message_->type == WebsocketMessage::Type::kText);
+    stream_.async_write(buffers_of(*message_),
                         [self = self()](ErrorCode error, std::size_t) { self->written(error); });
-  } else if (session_->client().has_ended()) {
-    close(code_of(session_->client().close_reason()));
+  } else if (session_->close_reason()) {
+    close(code_of(session_->close_reason()));
   }
 }
 
@@ -241,7 +271,7 @@ void BeastWebsocket::close(ws::close_code code) {
 
 std::size_t BeastWebsocket::held_bytes() const {
   return received_.size() + (message_ ? message_->size() : 0) +
-         (session_ ? session_->client().held_bytes() : 0);
+         (session_ ? session_->held_bytes() : 0);
 }
 
 void BeastWebsocket::finish() {
@@ -280,10 +310,16 @@ void BeastWebsocket::ping() {
 
 }  // namespace
 
+WebsocketContent monitor_content(MonitorService& service, std::optional<std::string> cell) {
+  return {http::kSubprotocol, monitor::kMaxMessageBytes,
+          [&service, cell = std::move(cell)](MessageSink& sink) {
+            return std::make_unique<MonitorWebsocketSession>(service, sink, cell);
+          }};
+}
+
 std::shared_ptr<Websocket> Websocket::make(std::shared_ptr<MonitorSocket> socket,
-                                           MonitorService& service, std::optional<std::string> cell,
-                                           WebsocketPatience patience) {
-  return std::make_shared<BeastWebsocket>(std::move(socket), service, std::move(cell), patience);
+                                           WebsocketContent content, WebsocketPatience patience) {
+  return std::make_shared<BeastWebsocket>(std::move(socket), std::move(content), patience);
 }
 
 }  // namespace xr3

@@ -48,18 +48,6 @@ Answer no_camera() {
                      "start with a workcell that has one, such as rhino-xr3");
 }
 
-bool has_token(std::string_view list, std::string_view wanted) {
-  while (!list.empty()) {
-    const std::size_t comma = std::min(list.find(','), list.size());
-    std::string_view word = list.substr(0, comma);
-    list.remove_prefix(std::min(comma + 1, list.size()));
-    const std::size_t first = std::min(word.find_first_not_of(" \t"), word.size());
-    word = word.substr(first, word.find_last_not_of(" \t") + 1 - first);
-    if (word == wanted) return true;
-  }
-  return false;
-}
-
 /// Whether the key is 16 bytes in base64.
 bool is_websocket_key(std::string_view key) {
   constexpr std::string_view kLetters =
@@ -85,13 +73,28 @@ Answer unknown_cell(const CellRegistry& cells) {
   return http::error(404, "unknown_cell", "there is no such cell", hint);
 }
 
+/// `foxglove.sdk.v1 or foxglove.websocket.v1`.
+std::string subprotocols_text(std::string_view path) {
+  std::string text;
+  for (const std::string_view each : http::subprotocols_of(path))
+    text.append(text.empty() ? "" : " or ").append(each);
+  return text;
+}
+
 Answer upgrade_required(std::string_view path) {
-  Answer answer = http::error(
-      426, "upgrade_required", std::string(path) + " speaks WebSocket, version 13",
-      "connect with a WebSocket client; subprotocol " + std::string(http::subprotocol_of(path)));
+  Answer answer =
+      http::error(426, "upgrade_required", std::string(path) + " speaks WebSocket, version 13",
+                  "connect with a WebSocket client; subprotocol " + subprotocols_text(path));
   answer.fields = {{"Upgrade", "websocket"}, {"Sec-WebSocket-Version", "13"}};
   answer.fields.push_back({"Connection", "Upgrade"});
   return answer;
+}
+
+// A client of Foxglove cannot send a token, and it shows a cell.
+Answer private_foxglove() {
+  return http::error(403, "token_required",
+                     "reading needs the token (--private), which Foxglove clients cannot send",
+                     "start the server without --private, or connect to /ws");
 }
 
 }  // namespace
@@ -116,7 +119,7 @@ std::optional<Answer> HttpResources::refuse(const HttpRequest& request) const {
         http::error(403, "wrong_host", "this server does not answer to that Host",
                     "use its IP address or localhost, or start it with --allow-host NAME"));
   }
-  if (!origins.empty() && !policy_.is_origin_allowed(origins.front(), hosts.front())) {
+  if (!origins.empty() && !is_origin_allowed(request, origins.front(), hosts.front())) {
     return http::closing(
         http::error(403, "wrong_origin", "a page from another origin may not read this",
                     "open the page from this server's own address, or use --allow-origin"));
@@ -127,6 +130,13 @@ std::optional<Answer> HttpResources::refuse(const HttpRequest& request) const {
   return std::nullopt;
 }
 
+/// Desktop apps have no origin of their own; --allow-origin desktop admits them to one path.
+bool HttpResources::is_origin_allowed(const HttpRequest& request, std::string_view origin,
+                                      std::string_view host) const {
+  return policy_.is_origin_allowed(origin, host) ||
+         (request.path() == http::kFoxglovePath && policy_.is_desktop_allowed(origin));
+}
+
 std::optional<Answer> HttpResources::refuse_websocket(const HttpRequest& request) const {
   const auto versions = request.values("Sec-WebSocket-Version");
   const auto keys = request.values("Sec-WebSocket-Key");
@@ -135,14 +145,11 @@ std::optional<Answer> HttpResources::refuse_websocket(const HttpRequest& request
   if (keys.size() != 1 || !is_websocket_key(keys.front()))
     return http::bad_request("a WebSocket handshake has one Sec-WebSocket-Key of 16 bytes",
                              "send 16 random bytes in base64, as WebSocket libraries do");
-  const auto offers = request.values("Sec-WebSocket-Protocol");
-  for (const std::string_view offer : offers) {
-    if (has_token(offer, http::subprotocol_of(request.path()))) return refuse_cell(request);
-  }
-  if (offers.empty()) return refuse_cell(request);
-  return http::bad_request(
-      "no subprotocol that was offered is known here",
-      "offer " + std::string(http::subprotocol_of(request.path())) + ", or none");
+  if (http::subprotocol_for(request).empty())
+    return http::bad_request("no subprotocol that was offered is known here",
+                             "offer " + subprotocols_text(request.path()) + ", or none");
+  if (request.path() == http::kFoxglovePath && policy_.is_private()) return private_foxglove();
+  return refuse_cell(request);
 }
 
 // --- Routes.

@@ -54,6 +54,8 @@ class HttpResources {
 
   asio::awaitable<std::optional<http::Answer>> refuse_reading(const Route& route,
                                                               const http::HttpRequest& request);
+  bool is_origin_allowed(const http::HttpRequest& request, std::string_view origin,
+                         std::string_view host) const;
   http::Answer page(const http::HttpRequest& request) const;
 
   asio::awaitable<http::Answer> health(CellPtr at, http::HttpRequest request);

@@ -11,7 +11,7 @@ constexpr std::chrono::seconds kMaxHeadTime{10};
 constexpr std::chrono::seconds kKeptAlive{30};
 
 bool is_websocket(const http::HttpRequest& request) {
-  return !http::subprotocol_of(request.path()).empty();
+  return !http::subprotocols_of(request.path()).empty();
 }
 
 /// RFC 9112, section 2.2: empty lines before a request line are ignored.

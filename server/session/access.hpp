@@ -49,6 +49,10 @@ class AccessPolicy {
   bool is_origin_allowed(std::string_view origin, std::string_view host) const {
     return http::is_origin_allowed(origin, host, rules_.guard);
   }
+  /// Whether desktop apps are allowed, and this is an origin of theirs.
+  bool is_desktop_allowed(std::string_view origin) const {
+    return http::is_desktop_allowed(origin, rules_.guard);
+  }
   const std::vector<std::string>& frame_origins() const { return rules_.frame_origins; }
 
  private:

@@ -82,14 +82,14 @@ http::Answer answer_to(const http::HeadReading& head) {
   if (auto refused = http::refuse_head(head.fault)) return *std::move(refused);
   if (auto refused = MonitorRig::shared().resources().refuse(head.request))
     return *std::move(refused);
-  if (!http::subprotocol_of(head.request.path()).empty())
+  if (!http::subprotocols_of(head.request.path()).empty())
     return *MonitorRig::shared().resources().refuse_websocket(head.request);
   return MonitorRig::shared().answer(head.request);
 }
 
 bool is_handshake(const http::HeadReading& head) {
   return head.fault == http::HeadFault::kNone &&
-         !http::subprotocol_of(head.request.path()).empty() &&
+         !http::subprotocols_of(head.request.path()).empty() &&
          !MonitorRig::shared().resources().refuse(head.request) &&
          !MonitorRig::shared().resources().refuse_websocket(head.request);
 }

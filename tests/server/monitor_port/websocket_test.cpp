@@ -37,7 +37,7 @@ class WebsocketTest : public testing::Test {
     accepted.set_option(asio::socket_base::send_buffer_size(4096));
     client_.non_blocking(true);
     server_ = std::make_shared<MonitorSocket>(std::move(accepted));
-    websocket_ = Websocket::make(server_, service_, {}, patience);
+    websocket_ = Websocket::make(server_, monitor_content(service_), patience);
     asio::co_spawn(
         io_, [this] { return websocket_->run(kHandshake); },
         [this](const std::exception_ptr& failure) {

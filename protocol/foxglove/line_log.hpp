@@ -11,6 +11,6 @@ namespace xr3::foxglove {
 
 /// foxglove.Log: bytes in one direction with their meaning, such as `> E?\r  asks how far E has
 /// still to go`. `>` is to the robot. The name is that of the line, such as `line 1`.
-std::string wire_text(const WireRecord& record, const Model& model, Nanoseconds time);
+std::string log_text(const WireRecord& record, const Model& model, Nanoseconds time);
 
 }  // namespace xr3::foxglove

@@ -1,4 +1,4 @@
-#include "protocol/foxglove/wire_log.hpp"
+#include "protocol/foxglove/line_log.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -24,7 +24,7 @@ std::string sentence_of(const WireRecord& record, const Model& model) {
 
 }  // namespace
 
-std::string wire_text(const WireRecord& record, const Model& model, Nanoseconds time) {
+std::string log_text(const WireRecord& record, const Model& model, Nanoseconds time) {
   constexpr int kDebug = 1;  // foxglove.LogLevel
   return monitor::text_of(Json::object({{"timestamp", time_json(time)},
                                         {"level", kDebug},
