@@ -34,9 +34,11 @@ std::string check_host(const std::string& name) {
 }
 
 std::string check_origin(const std::string& text) {
-  return http::is_origin(text)
+  return http::is_origin(text) || text == http::kDesktopOrigin
              ? ""
-             : text + ": an origin has the form https://page.lab or http://a:8080";
+             : text +
+                   ": an origin has the form https://page.lab or http://a:8080, or is the word " +
+                   "desktop, for apps without a site";
 }
 
 // Browsers ignore IPv6 addresses in a policy.
@@ -275,9 +277,11 @@ void add_access(CLI::App& serve, ServeOptions& options) {
             "with --private: file with a token for /metrics alone, sent as Authorization: Bearer");
   add_names(serve, "--allow-host", options.allow_hosts, "NAME",
             "host name that browsers may use for this machine; several with commas", check_host);
-  add_names(serve, "--allow-origin", options.allow_origins, "ORIGIN",
-            "origin of pages that may connect, such as https://page.lab; several with commas",
-            check_origin);
+  add_names(
+      serve, "--allow-origin", options.allow_origins, "ORIGIN",
+      "origin of pages that may connect, such as https://page.lab, or desktop: Foxglove's apps may "
+      "read /foxglove; several with commas",
+      check_origin);
   add_names(serve, "--allow-frame", options.allow_frames, "ORIGIN",
             "origin of pages that may show this page in a frame; several with commas", check_frame);
   add_flag(serve, "--insecure", options.is_insecure,

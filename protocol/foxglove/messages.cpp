@@ -83,10 +83,8 @@ std::string transforms_text(const std::vector<SceneLink>& links, const Model& mo
 }
 
 std::string image_text(std::string_view png, Nanoseconds time) {
-  return text_of(Json::object({{"timestamp", time_json(time)},
-                               {"frame_id", "base"},
-                               {"data", png},
-                               {"format", "png"}}));
+  return text_of(Json::object(
+      {{"timestamp", time_json(time)}, {"frame_id", "base"}, {"data", png}, {"format", "png"}}));
 }
 
 std::string log_text(const CellEvent& event, const Model& model, Nanoseconds time) {
@@ -104,18 +102,18 @@ std::string log_text(const CellEvent& event, const Model& model, Nanoseconds tim
 std::string state_text(const Model& model, const State& state, Epoch epoch) {
   const Positions at = positions(model, state.motors);
   const Counts tool = at[static_cast<std::size_t>(model.tool_index())];
-  return text_of(Json::object(
-      {{"tick", state.tick},
-       {"epoch", epoch},
-       {"moving", !is_at_rest(model, state)},
-       {"stalled", text_or_empty(stall_json(state.stall))},
-       {"enabled", state.enabled},
-       {"joints", motors_json(model, state, at)},
-       {"tip", tip_json(tool_tip(model, at))},
-       {"opening_mm", rounded(opening_mm(model, tool), kMmDecimals)},
-       {"holding", state.held ? state.blocks[state.held->block].name : std::string()},
-       {"inputs", state.io.inputs},
-       {"outputs", state.io.outputs}}));
+  return text_of(
+      Json::object({{"tick", state.tick},
+                    {"epoch", epoch},
+                    {"moving", !is_at_rest(model, state)},
+                    {"stalled", text_or_empty(stall_json(state.stall))},
+                    {"enabled", state.enabled},
+                    {"joints", motors_json(model, state, at)},
+                    {"tip", tip_json(tool_tip(model, at))},
+                    {"opening_mm", rounded(opening_mm(model, tool), kMmDecimals)},
+                    {"holding", state.held ? state.blocks[state.held->block].name : std::string()},
+                    {"inputs", state.io.inputs},
+                    {"outputs", state.io.outputs}}));
 }
 
 }  // namespace xr3::foxglove

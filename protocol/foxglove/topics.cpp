@@ -87,16 +87,15 @@ Json cylinders() {
 }
 
 Json entity() {
-  return object(
-      {{"timestamp", time()},
-       {"frame_id", text()},
-       {"id", text()},
-       {"lifetime", seconds("duration")},
-       {"frame_locked", boolean()},
-       {"cubes", list(object({{"pose", pose()}, {"size", xyz()}, {"color", color()}}))},
-       {"cylinders", list(cylinders())},
-       {"lines", list(lines())},
-       {"triangles", list(triangles())}});
+  return object({{"timestamp", time()},
+                 {"frame_id", text()},
+                 {"id", text()},
+                 {"lifetime", seconds("duration")},
+                 {"frame_locked", boolean()},
+                 {"cubes", list(object({{"pose", pose()}, {"size", xyz()}, {"color", color()}}))},
+                 {"cylinders", list(cylinders())},
+                 {"lines", list(lines())},
+                 {"triangles", list(triangles())}});
 }
 
 Json scene() {
@@ -105,10 +104,8 @@ Json scene() {
 }
 
 Json image() {
-  return object({{"timestamp", time()},
-                 {"frame_id", text()},
-                 {"data", base64()},
-                 {"format", text()}});
+  return object(
+      {{"timestamp", time()}, {"frame_id", text()}, {"data", base64()}, {"format", text()}});
 }
 
 Json log() {
@@ -121,10 +118,8 @@ Json log() {
 }
 
 Json state(const Model& model) {
-  const Json joint = object({{"value", number()},
-                             {"count", integer()},
-                             {"error", integer()},
-                             {"moving", boolean()}});
+  const Json joint = object(
+      {{"value", number()}, {"count", integer()}, {"error", integer()}, {"moving", boolean()}});
   Json::object_t joints;
   for (const char label : model.labels()) joints[std::string(1, label)] = joint;
   return object({{"tick", integer()},

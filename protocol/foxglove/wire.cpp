@@ -93,7 +93,8 @@ std::string message_head(std::uint32_t subscription, Nanoseconds time) {
 Subscriptions::Outcome Subscriptions::carry_out(std::string_view message) {
   const JsonDocument document(message);
   const JsonValue request = document.root();
-  if (!request.is_object()) return {{}, "a message is a JSON object, such as {\"op\":\"subscribe\"}"};
+  if (!request.is_object())
+    return {{}, "a message is a JSON object, such as {\"op\":\"subscribe\"}"};
   Outcome outcome;
   const auto note = [&](std::string complaint) {
     if (outcome.complaint.empty()) outcome.complaint = std::move(complaint);

@@ -99,9 +99,8 @@ bool is_origin_allowed(std::string_view origin, std::string_view host, const Gua
 
 bool is_desktop_allowed(std::string_view origin, const GuardRules& rules) {
   const bool is_of_app = origin == "null" || origin.starts_with("file://");
-  return is_of_app &&
-         std::find(rules.origins.begin(), rules.origins.end(), kDesktopOrigin) !=
-             rules.origins.end();
+  return is_of_app && std::find(rules.origins.begin(), rules.origins.end(), kDesktopOrigin) !=
+                          rules.origins.end();
 }
 
 bool is_local_host(std::string_view host) {

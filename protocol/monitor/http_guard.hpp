@@ -44,8 +44,8 @@ bool is_local_host(std::string_view host);
 /// Whether a name may be a rule's host: letters, digits, `-`, `_` and single dots between them.
 bool is_host_name(std::string_view name);
 
-/// Whether a text may be a rule's origin: kDesktopOrigin, or `http://` or `https://`, a host,
-/// optionally a port, no path.
+/// Whether a text may be a rule's origin: `http://` or `https://`, a host, optionally a port, no
+/// path.
 bool is_origin(std::string_view text);
 
 /// Case-insensitive comparison (ASCII).

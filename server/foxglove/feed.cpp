@@ -50,8 +50,7 @@ void FoxgloveFeed::pump() {
   bool is_served = false;
   while (next_output()) is_served = true;
   if (!client().follows(at_->name())) {
-    for (FoxgloveSession* session : sessions_)
-      session->end(monitor::CloseReason::kShutdown);
+    for (FoxgloveSession* session : sessions_) session->end(monitor::CloseReason::kShutdown);
   } else if (is_served) {
     take_snapshot();
     offer_changes();
@@ -133,11 +132,10 @@ void FoxgloveFeed::take_picture() {
   const bool is_known = picture_ && image && *picture_ == *image;
   if (!image || is_known) return;
   is_compressing_ = true;
-  spawn_session(executor_, "foxglove", compress(std::move(image)),
-                [self = shared_from_this()] {
-                  self->is_compressing_ = false;
-                  self->take_picture();  // it may have changed meanwhile
-                });
+  spawn_session(executor_, "foxglove", compress(std::move(image)), [self = shared_from_this()] {
+    self->is_compressing_ = false;
+    self->take_picture();  // it may have changed meanwhile
+  });
 }
 
 asio::awaitable<void> FoxgloveFeed::compress(ImagePtr image) {

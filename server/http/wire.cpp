@@ -187,7 +187,8 @@ std::string_view subprotocol_for(const HttpRequest& request) {
   const auto offers = request.values("Sec-WebSocket-Protocol");
   if (known.empty() || offers.empty()) return known.empty() ? std::string_view() : known.front();
   const auto is_offered = [&](std::string_view name) {
-    return std::ranges::any_of(offers, [&](std::string_view list) { return has_token(list, name); });
+    return std::ranges::any_of(offers,
+                               [&](std::string_view list) { return has_token(list, name); });
   };
   const auto found = std::ranges::find_if(known, is_offered);
   return found == known.end() ? std::string_view() : *found;

@@ -66,6 +66,15 @@ asio::awaitable<void> MonitorConnection::serve_websocket(std::string head,
   co_await websocket_->run(std::move(head));
 }
 
+/// Waits for the cell, which is not there with `--continue` until it has gone on.
+asio::awaitable<WebsocketContent> MonitorConnection::foxglove_content(http::HttpRequest request) {
+  const CellPtr at = context_.resources.cell_of(request);
+  co_await at->be_back();
+  co_return WebsocketContent{
+      http::subprotocol_for(request), foxglove::kMaxClientBytes,
+      [this, at](MessageSink& sink) { return context_.foxglove.open(sink, at); }};
+}
+
 // --- The detector.
 
 /// Reads until the protocol is known. Returns the bytes that belong to that protocol.

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "protocol/monitor/protocol_detector.hpp"
+#include "server/foxglove/feeds.hpp"
 #include "server/monitor_port/json_lines.hpp"
 #include "server/monitor_port/line_websocket.hpp"
 #include "server/monitor_port/websocket.hpp"
@@ -27,6 +28,7 @@ class MonitorConnection;
 struct MonitorConnectionContext {
   MonitorService& service;
   HttpResources& resources;
+  FoxgloveFeeds& foxglove;
   MemoryLimit* memory = nullptr;   ///< none if null
   std::function<bool()> has_room;  ///< whether one more descriptor may be open
   std::function<bool(const asio::ip::address&)>
@@ -71,6 +73,7 @@ class MonitorConnection : public std::enable_shared_from_this<MonitorConnection>
   void greet_after_silence();
   void greet();
   asio::awaitable<void> serve_websocket(std::string head, http::HttpRequest request);
+  asio::awaitable<WebsocketContent> foxglove_content(http::HttpRequest request);
 
   MonitorConnectionContext& context_;
   tcp::endpoint peer_;

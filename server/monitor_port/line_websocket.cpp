@@ -92,7 +92,8 @@ class BeastLineWebsocket final : public LineWebsocket {
 
 asio::awaitable<void> BeastLineWebsocket::run(std::string head) {
   assert(http::read_head(head).fault == http::HeadFault::kNone);
-  const bool accepted = co_await accept_handshake(stream_, head, http::kLineSubprotocol);
+  const bool accepted =
+      co_await accept_handshake(stream_, head, http::subprotocols_of(http::kLinePath).front());
   if (accepted && socket_->is_open()) co_await serve();
   abort();
 }

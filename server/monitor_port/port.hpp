@@ -6,7 +6,8 @@
 // protocol. JsonLines (json_lines.hpp) splits lines into requests; HTTP goes to the session in
 // server/resources, and after a handshake to Websocket (websocket.hpp), or to LineWebsocket
 // (line_websocket.hpp), which carries a serial line to the robot port. JsonLines and Websocket are
-// transports: each reads one request, has its OpenSession (server/service) carry it out, and writes
+// transports: each reads one request, has its OpenSession (server/service), or its FoxgloveSession
+// (server/foxglove), carry it out, and writes
 // the answers and frames that the session queues, as fast as the client reads. While the client
 // does not read, requests are not read either. Above --max-memory the port closes the connection
 // that holds the most unread bytes.
@@ -78,6 +79,7 @@ class MonitorPort {
   PeerCounts peers_;
   MonitorService service_;
   HttpResources resources_;
+  FoxgloveFeeds foxglove_;
   MonitorConnectionContext context_;
   Listener listener_;
   Connections connections_;

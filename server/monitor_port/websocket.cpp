@@ -311,7 +311,7 @@ void BeastWebsocket::ping() {
 }  // namespace
 
 WebsocketContent monitor_content(MonitorService& service, std::optional<std::string> cell) {
-  return {http::kSubprotocol, monitor::kMaxMessageBytes,
+  return {http::subprotocols_of(http::kMonitorPath).front(), monitor::kMaxMessageBytes,
           [&service, cell = std::move(cell)](MessageSink& sink) {
             return std::make_unique<MonitorWebsocketSession>(service, sink, cell);
           }};

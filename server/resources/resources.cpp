@@ -148,8 +148,10 @@ std::optional<Answer> HttpResources::refuse_websocket(const HttpRequest& request
   if (http::subprotocol_for(request).empty())
     return http::bad_request("no subprotocol that was offered is known here",
                              "offer " + subprotocols_text(request.path()) + ", or none");
-  if (request.path() == http::kFoxglovePath && policy_.is_private()) return private_foxglove();
-  return refuse_cell(request);
+  if (request.path() != http::kFoxglovePath) return refuse_cell(request);
+  if (policy_.is_private()) return private_foxglove();
+  if (!cell_of(request)) return unknown_cell(service_.cells());
+  return std::nullopt;
 }
 
 // --- Routes.
@@ -216,7 +218,6 @@ asio::awaitable<std::optional<Answer>> HttpResources::refuse_reading(const Route
   co_return http::bad_metrics_token();
 }
 
-/// The cell in the query, or the first one; nullptr if there is none.
 CellPtr HttpResources::cell_of(const HttpRequest& request) const {
   const auto name = request.parameter("cell");
   if (name) return service_.cells().find(*name);
@@ -242,8 +243,7 @@ Answer HttpResources::page(const HttpRequest& request) const {
   if (is_root)
     if (auto refused = refuse_cell(request)) return *std::move(refused);
   std::vector<http::Field> fields;
-  if (is_root)
-    fields = {{"Content-Security-Policy", http::page_policy(policy_.frame_origins())}};
+  if (is_root) fields = {{"Content-Security-Policy", http::page_policy(policy_.frame_origins())}};
   const WebAsset asset = find_web_asset(is_root ? "/index.html" : is_icon ? kIcon : path);
   if (!asset.type.empty())
     return {200, std::string(asset.type), http::Body::of_static(asset.bytes), std::move(fields)};

@@ -46,6 +46,9 @@ class HttpResources {
   /// nullopt.
   std::optional<http::Answer> refuse_websocket(const http::HttpRequest& request) const;
 
+  /// The cell in the query, or the first one; nullptr if there is none.
+  CellPtr cell_of(const http::HttpRequest& request) const;
+
  private:
   /// The cell is null for a resource of the server.
   using Show = asio::awaitable<http::Answer> (HttpResources::*)(CellPtr, http::HttpRequest);
@@ -70,7 +73,6 @@ class HttpResources {
   asio::awaitable<http::Answer> png(CellPtr at, http::HttpRequest request);
   asio::awaitable<http::Answer> view(CellPtr at, http::HttpRequest request);
 
-  CellPtr cell_of(const http::HttpRequest& request) const;
   std::optional<http::Answer> refuse_cell(const http::HttpRequest& request) const;
 
   MonitorService& service_;

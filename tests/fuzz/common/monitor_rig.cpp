@@ -96,8 +96,10 @@ MonitorRig::MonitorRig(ReadAccess reading)
       service_(io_, host_.cells, host_.worker, policy_),
       resources_(
           service_, policy_, [] { return std::string(); }, [this] { return service_.counters(); }),
+      foxglove_(io_),
       context_{.service = service_,
                .resources = resources_,
+               .foxglove = foxglove_,
                .has_room = [] { return true; },
                .tls_refused = [] {},
                .ended = [this](const std::shared_ptr<MonitorConnection>&) { is_over_ = true; }} {

@@ -50,6 +50,7 @@ class MonitorRig {
   AccessPolicy policy_;
   MonitorService service_;
   HttpResources resources_;
+  FoxgloveFeeds foxglove_;
   MonitorConnectionContext context_;
   bool is_over_ = false;
 };
