@@ -33,9 +33,9 @@ ExitCode run_command(const DrawOptions& options);
 ExitCode run_command(const KinOptions& options);
 
 /// `xr3 convert IN OUT`: the content of IN determines its form; the extension of OUT determines the
-/// new one: .json, or .txt or .dat for the paper's plain form. Findings in IN go to standard error.
-/// kBadInput if IN has an error, if OUT has another extension, or if OUT exists and `force` is not
-/// set.
+/// new one: .json, or .txt or .dat for the paper's plain form; .mcap if IN is a recording
+/// (convert_recording.hpp). Findings in IN go to standard error. kBadInput if IN has an error, if
+/// OUT has another extension, or if OUT exists and `force` is not set.
 ExitCode run_command(const ConvertOptions& options);
 
 /// `xr3 export --urdf|--mjcf ROBOT`: writes the robot and its meshes into a folder. kBadInput if

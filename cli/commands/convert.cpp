@@ -1,6 +1,7 @@
 #include <optional>
 
 #include "cli/commands/commands.hpp"
+#include "cli/commands/convert_recording.hpp"
 #include "cli/commands/fail.hpp"
 #include "protocol/files/paper_form/paper_form.hpp"
 #include "protocol/json/text.hpp"
@@ -53,11 +54,15 @@ void print_summary(const ConvertOptions& options, Form form, const CheckResult& 
 }  // namespace
 
 ExitCode run_command(const ConvertOptions& options) {
+  if (options.out.ends_with(".mcap")) return convert_recording(options);
+  if (options.every_ms)
+    return fail(ExitCode::kBadInput, options.out + ": --every is for a name that ends in .mcap");
   const std::optional<Form> form = form_of(options.out);
   if (!form) {
     return fail(ExitCode::kBadInput,
                 options.out +
-                    ": the name must end in .json, or in .txt or .dat for the paper's plain form");
+                    ": the name must end in .json, in .txt or .dat for the paper's plain form, or "
+                    "in .mcap for a recording");
   }
   const DataFile in = read_file(options.in);
   const std::optional<Robot> robot = robot_with_name_of(options.in);

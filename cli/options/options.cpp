@@ -105,11 +105,17 @@ void add_kin(CLI::App& app, KinOptions& options) {
 
 void add_convert(CLI::App& app, ConvertOptions& options) {
   CLI::App& convert = *app.add_subcommand(
-      "convert", "turn a robot or workcell file into the paper's plain form, or back into JSON");
-  add_value(convert, "in", options.in, "IN", "the file, of either form")->required();
-  add_value(convert, "out", options.out, "OUT",
-            "the new file: .json, or .txt or .dat for the plain form")
+      "convert",
+      "turn a robot or workcell file into the paper's plain form, or back into JSON; or a "
+      "recording into a file for Foxglove");
+  add_value(convert, "in", options.in, "IN", "the file, of either form, or a recording")
       ->required();
+  add_value(convert, "out", options.out, "OUT",
+            "the new file: .json, or .txt or .dat for the plain form; .mcap for a recording")
+      ->required();
+  add_value(convert, "--every", options.every_ms, "MS",
+            "with OUT.mcap: simulated ms between two samples of a moving robot (default 100)")
+      ->check(whole_number_between(1, kMaxEveryMs));
   convert.add_flag("--force", options.force, "replace OUT if it is there already");
 }
 

@@ -64,8 +64,9 @@ struct KinOptions {
 
 struct ConvertOptions {
   std::string in;
-  std::string out;     ///< ends in .json, or in .txt or .dat for the paper's plain form
+  std::string out;     ///< ends in .json, in .txt or .dat for the paper's plain form, or in .mcap
   bool force = false;  ///< replace an existing file
+  std::optional<int> every_ms;  ///< with .mcap: simulated time between two samples
 };
 
 struct WorkcellOptions {

@@ -12,8 +12,6 @@
 namespace xr3 {
 namespace {
 
-constexpr int kMaxEveryMs = 3'600'000;
-
 ReplayPrint print_named(const std::string& name) {
   return name == "state" ? ReplayPrint::kState : ReplayPrint::kStatus;
 }

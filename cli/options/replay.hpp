@@ -12,6 +12,10 @@ namespace xr3 {
 
 struct ServeOptions;
 
+/// Simulated time between two samples of a recording.
+inline constexpr int kUsualEveryMs = 100;
+inline constexpr int kMaxEveryMs = 3'600'000;
+
 /// The part of the state at the end that is printed.
 enum class ReplayPrint : std::uint8_t {
   kNothing,
@@ -23,9 +27,9 @@ struct ReplayOptions {
   std::string file;
   std::optional<ReplayTime> until;
   ReplayPrint print = ReplayPrint::kNothing;
-  std::string svg;     ///< a picture of the end; empty for none
-  std::string csv;     ///< a table of joints over time; empty for none
-  int every_ms = 100;  ///< simulated time between its lines
+  std::string svg;               ///< a picture of the end; empty for none
+  std::string csv;               ///< a table of joints over time; empty for none
+  int every_ms = kUsualEveryMs;  ///< simulated time between its lines
   bool is_serving = false;
 };
 
