@@ -31,7 +31,7 @@ struct SceneLink {
   int motor = -1;    ///< index of the model's motor with the variable; -1 if it is fixed
   double ratio = 1;  ///< degrees or mm of motion per degree or mm of the variable
   int color = 0;     ///< palette index 0...15
-  Solid solid;       ///< in its frame; empty for a frame without a body
+  Solid solid = {};  ///< in its frame; empty for a frame without a body
 
   bool is_fixed() const { return motion == LinkMotion::kFixed; }
 };
