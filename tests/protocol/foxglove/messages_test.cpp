@@ -102,7 +102,7 @@ TEST(FoxgloveLog, HasLevelNameAndSentence) {
   const auto homed = Json::parse(log_text(event(EventBody(Homed{})), *model, 0));
   EXPECT_EQ(homed["level"], 2);
   EXPECT_EQ(homed["name"], "homed");
-  EXPECT_EQ(homed["message"], "soft home");
+  EXPECT_EQ(homed["message"], "soft home by a call");
 }
 
 TEST(FoxgloveImage, IsAFileInBase64) {
