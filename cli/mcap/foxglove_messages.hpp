@@ -26,6 +26,8 @@ class FoxgloveMessages {
 
   // The times of the calls must not decrease. Each throws FileError if they have no nanoseconds.
 
+  /// Time has passed without a message: the next epoch begins after it.
+  void pass_to(const Cell& cell) { time_of(cell.epoch(), cell.state().tick); }
   /// Adds what has changed since the last call.
   void add_state(Cell& cell);
   void add_event(const CellEvent& event, const Model& model);

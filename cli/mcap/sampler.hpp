@@ -19,6 +19,7 @@ class CellSampler final : private CellObserver {
   void finish() { sample(); }
 
  private:
+  void before(const Cell& cell, const Input& input) override;
   void happened(const Cell& cell, const CellOutput& output) override;
   void after(const Cell& cell, const Input& input, const Applied& applied) override;
   void ticked(const Cell& cell) override;
