@@ -1,19 +1,10 @@
 #include "cli/mcap/sampler.hpp"
 
 #include <cassert>
-#include <utility>
 
 #include "core/step.hpp"
 
 namespace xr3 {
-namespace {
-
-bool is_earlier(const CellEvent& event, const WireRecord& record) {
-  return std::pair(event.epoch, event.tick) < std::pair(record.epoch, record.tick);
-}
-
-}  // namespace
-
 CellSampler::CellSampler(Cell& cell, Tick every, FoxgloveMessages& messages)
     : cell_(cell), every_(every), messages_(messages) {
   assert(every > 0);
@@ -24,13 +15,8 @@ CellSampler::CellSampler(Cell& cell, Tick every, FoxgloveMessages& messages)
 void CellSampler::before(const Cell& cell, const Input& /*input*/) { messages_.pass_to(cell); }
 
 void CellSampler::happened(const Cell& cell, const CellOutput& output) {
-  auto record = output.records().begin();
-  for (const CellEvent& event : output.events) {
-    while (record != output.records().end() && !is_earlier(event, *record))
-      messages_.add_wire(*record++, cell.model());
-    messages_.add_event(event, cell.model());
-  }
-  while (record != output.records().end()) messages_.add_wire(*record++, cell.model());
+  for (const WireRecord& each : output.records()) messages_.add_wire(each, cell.model());
+  for (const CellEvent& each : output.events) messages_.add_event(each, cell.model());
 }
 
 void CellSampler::after(const Cell& /*cell*/, const Input& /*input*/, const Applied& /*applied*/) {

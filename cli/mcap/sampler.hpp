@@ -7,7 +7,7 @@
 namespace xr3 {
 
 /// Takes samples while the robot moves: at multiples of a time, and at the tick in which a motion
-/// begins or ends, so that straight lines between the samples are right. At rest it takes one when
+/// begins or ends, so that straight lines between samples are right. At rest it takes one when
 /// something has changed, so a robot at rest costs nothing.
 class CellSampler final : private CellObserver {
  public:

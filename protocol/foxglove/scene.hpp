@@ -1,5 +1,5 @@
-// The messages of the picture, foxglove.SceneUpdate as JSON on one line: the links of the robot, and
-// the blocks. Each message shows all of its topic, so that the last one is enough.
+// The messages of the picture, foxglove.SceneUpdate as JSON on one line: the links of the robot,
+// and the blocks. Each message shows all of its topic, so that the last one is enough.
 #pragma once
 
 #include <string>

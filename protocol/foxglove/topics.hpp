@@ -3,9 +3,9 @@
 //
 // The flow through the folder, which has no sockets and no files: topics.hpp is the table of
 // topics. messages.hpp makes the messages of the machine, its camera and its events, and scene.hpp
-// those of the picture, as JSON texts from a model and a state. The frames to which both refer
-// are the links of protocol/scene, geometry.hpp writes poses and colours, and time.hpp converts
-// ticks to nanoseconds. wire.hpp has what only a WebSocket needs: the frames around messages, and the
+// those of the picture, as JSON texts from a model and a state. The frames to which both refer are
+// the links of protocol/scene, geometry.hpp writes poses and colours, and time.hpp converts ticks
+// to nanoseconds. wire.hpp has what only a WebSocket needs: the frames around messages, and the
 // requests of a client. server/foxglove sends them live; a converted recording has them in a file.
 #pragma once
 
@@ -25,7 +25,7 @@ inline constexpr std::size_t kTopics = 6;
 struct TopicInfo {
   Topic topic;
   std::string_view name;    ///< such as `/tf`
-  std::string_view schema;  ///< its name, such as `foxglove.FrameTransforms`
+  std::string_view schema;  ///< name of the schema, such as `foxglove.FrameTransforms`
 };
 
 /// In the order of Topic.

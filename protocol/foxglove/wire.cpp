@@ -90,12 +90,12 @@ std::string message_head(std::uint32_t subscription, Nanoseconds time) {
 
 // --- From the client.
 
-Subscriptions::Outcome Subscriptions::carry_out(std::string_view message) {
+Subscriptions::Subscribed Subscriptions::carry_out(std::string_view message) {
   const JsonDocument document(message);
   const JsonValue request = document.root();
   if (!request.is_object())
     return {{}, "a message is a JSON object, such as {\"op\":\"subscribe\"}"};
-  Outcome outcome;
+  Subscribed outcome;
   const auto note = [&](std::string complaint) {
     if (outcome.complaint.empty()) outcome.complaint = std::move(complaint);
   };
@@ -113,7 +113,7 @@ Subscriptions::Outcome Subscriptions::carry_out(std::string_view message) {
 }
 
 /// Returns a complaint; empty if it was done.
-std::string Subscriptions::subscribe(JsonValue wanted, Outcome& outcome) {
+std::string Subscriptions::subscribe(JsonValue wanted, Subscribed& outcome) {
   const std::optional<std::uint32_t> number = number_in(wanted.find("id"));
   const std::optional<Topic> topic = topic_of(wanted.find("channelId"));
   if (!topic)

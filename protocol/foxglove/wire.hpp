@@ -45,18 +45,18 @@ std::string message_head(std::uint32_t subscription, Nanoseconds time);
 class Subscriptions {
  public:
   /// The result of a request.
-  struct Outcome {
+  struct Subscribed {
     std::vector<Topic> added;  ///< topics that are now subscribed to
     std::string complaint;     ///< the first part that was not done, and why; empty if all was
   };
   /// Carries out a text message of the client.
-  Outcome carry_out(std::string_view message);
+  Subscribed carry_out(std::string_view message);
 
   /// The number of the client's subscription to a topic; nullopt if there is none.
   std::optional<std::uint32_t> find(Topic topic) const;
 
  private:
-  std::string subscribe(JsonValue wanted, Outcome& outcome);
+  std::string subscribe(JsonValue wanted, Subscribed& outcome);
   std::string unsubscribe(JsonValue number);
 
   std::map<Topic, std::uint32_t> numbers_;

@@ -134,7 +134,7 @@ void FoxgloveFeed::take_picture() {
   is_compressing_ = true;
   spawn_session(executor_, "foxglove", compress(std::move(image)), [self = shared_from_this()] {
     self->is_compressing_ = false;
-    self->take_picture();  // it may have changed meanwhile
+    self->take_picture();  // the image may have changed meanwhile
   });
 }
 

@@ -2,13 +2,13 @@
 // it, from the snapshot that the last round of the cell's subscribers has shown.
 //
 // The flow through the folder: a WebSocket of the path /foxglove has a FoxgloveSession
-// (session.hpp), which carries out subscriptions (protocol/foxglove/wire.hpp) and sends the messages
-// that are due. All sessions of a cell share a FoxgloveFeed, which FoxgloveFeeds (feeds.hpp) finds.
-// The feed follows the channel `state` like a client of the monitor, so that the cell's
-// SubscriberHub serves it in turn with them, at most 60 times a second. It then takes a snapshot,
-// and marks the topics that have changed as due in its sessions. A session that has not yet sent a
-// topic sends only its latest message. Events are read from the ring of the cell. The worker
-// compresses pictures.
+// (session.hpp), which carries out subscriptions (protocol/foxglove/wire.hpp) and sends the
+// messages that are due. All sessions of a cell share a FoxgloveFeed, which FoxgloveFeeds
+// (feeds.hpp) finds. The feed follows the channel `state` like a client of the monitor, so that the
+// cell's SubscriberHub serves it in turn with them, at most 60 times a second. It then takes a
+// snapshot, and marks the topics that have changed as due in its sessions. A session that has not
+// yet sent a topic sends only its latest message. Events are read from the ring of the cell. The
+// worker compresses pictures.
 #pragma once
 
 #include <array>
@@ -44,7 +44,7 @@ class FoxgloveFeed final : public std::enable_shared_from_this<FoxgloveFeed>,
   const CellPtr& cell() const { return at_; }
   const Model& model() const { return *model_; }
 
-  /// From now on, the session is notified of changes. It must be removed before it ends.
+  /// Notifies the session of changes until remove(), which its destructor calls.
   void add(FoxgloveSession& session) { sessions_.push_back(&session); }
   void remove(FoxgloveSession& session) { std::erase(sessions_, &session); }
 

@@ -27,7 +27,7 @@ void FoxgloveSession::answer(std::string text) {
 }
 
 asio::awaitable<void> FoxgloveSession::handle(std::string_view message) {
-  const foxglove::Subscriptions::Outcome outcome = subscriptions_.carry_out(message);
+  const foxglove::Subscriptions::Subscribed outcome = subscriptions_.carry_out(message);
   if (!outcome.complaint.empty())
     answer(foxglove::status_text(StatusLevel::kWarning, outcome.complaint));
   for (const Topic topic : outcome.added) begin(topic);
@@ -37,7 +37,6 @@ asio::awaitable<void> FoxgloveSession::handle(std::string_view message) {
 
 /// Sends the latest message of a topic that the client has subscribed to.
 void FoxgloveSession::begin(Topic topic) {
-  is_time_due_ = true;
   if (topic == Topic::kEvents) {
     next_event_ = feed_->events_end();
   } else {
@@ -49,7 +48,6 @@ void FoxgloveSession::begin(Topic topic) {
 }
 
 void FoxgloveSession::offer(const TopicSet& changed) {
-  is_time_due_ = true;
   due_ |= changed;
   sink_.pump();
 }
@@ -64,10 +62,8 @@ void FoxgloveSession::end(monitor::CloseReason why) {
 std::optional<WebsocketMessage> FoxgloveSession::next_output() {
   if (!answers_.empty()) return next_answer();
   if (close_reason_) return std::nullopt;
-  if (std::exchange(is_time_due_, false)) {
-    time_ = feed_->time();
-    return WebsocketMessage{WebsocketMessage::Type::kBinary, foxglove::time_bytes(time_)};
-  }
+  if (std::exchange(time_, feed_->time()) != feed_->time())
+    return WebsocketMessage{WebsocketMessage::Type::kBinary, foxglove::time_bytes(*time_)};
   if (auto message = next_due()) return message;
   return next_event();
 }
@@ -88,7 +84,7 @@ std::optional<WebsocketMessage> FoxgloveSession::next_due() {
     monitor::Message text = number ? feed_->text(info.topic) : nullptr;
     if (text)
       return WebsocketMessage{WebsocketMessage::Type::kBinary,
-                              foxglove::message_head(*number, time_), std::move(text)};
+                              foxglove::message_head(*number, *time_), std::move(text)};
   }
   return std::nullopt;
 }
@@ -107,7 +103,7 @@ std::optional<WebsocketMessage> FoxgloveSession::next_event() {
         "/events: " + std::to_string(event->seq - wanted) +
             " messages were dropped, since this client reads more slowly than they are made"));
   }
-  return WebsocketMessage{WebsocketMessage::Type::kBinary, foxglove::message_head(*number, time_),
+  return WebsocketMessage{WebsocketMessage::Type::kBinary, foxglove::message_head(*number, *time_),
                           std::make_shared<const std::string>(std::move(event->text))};
 }
 

@@ -48,8 +48,7 @@ class FoxgloveSession final : public WebsocketSession {
   foxglove::Subscriptions subscriptions_;
   std::deque<monitor::Message> answers_;
   std::size_t answer_bytes_ = 0;
-  bool is_time_due_ = false;
-  foxglove::Nanoseconds time_ = 0;  ///< the last one that was sent
+  std::optional<foxglove::Nanoseconds> time_;  ///< the last one that was sent
   TopicSet due_;
   std::int64_t next_event_ = 0;  ///< if it follows events
   std::optional<monitor::CloseReason> close_reason_;

@@ -40,7 +40,7 @@ Answer bad_request(const std::string& message, const std::string& hint) {
 Answer not_found(const std::string& message) {
   return error(404, "not_found", message,
                "available: / /healthz /readyz /metrics /state /robot /workcell /schema/v1.json "
-               "/camera.png /camera.pbm /view.svg /sites /docs/ /play/ /ws and /line");
+               "/camera.png /camera.pbm /view.svg /sites /docs/ /play/ /ws /line and /foxglove");
 }
 
 Answer method_not_allowed() {

@@ -46,6 +46,8 @@ class LineWebsocket:
         kind, size = self.file.read(2)
         if size == 126:
             size = int.from_bytes(self.file.read(2), "big")
+        elif size == 127:
+            size = int.from_bytes(self.file.read(8), "big")
         return kind, self.file.read(size)
 
     def read(self, size):

@@ -56,6 +56,7 @@ a request | protocol/monitor/request.hpp | kMaxMessageBytes | 1024
 a request | protocol/json/document.hpp | kMaxDepth
 unread replies of a monitor client | protocol/monitor/client.hpp | kMaxAnswers
 unread replies of a monitor client | protocol/monitor/client.hpp | kMaxAnswerBytes | 1024
+a message of a Foxglove client | protocol/foxglove/wire.hpp | kMaxClientBytes | 1024
 a monitor client that reads nothing | server/net/socket.cpp | kMaxStuck
 a WebSocket client that does not answer a ping | server/monitor_port/websocket.hpp | before_close | 1000
 messages of a subscription | protocol/monitor/request.hpp | kMaxMilliHz | 1000
