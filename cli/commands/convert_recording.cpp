@@ -24,7 +24,7 @@ ExitCode refuse_existing(const std::string& out) {
 
 std::string summary_of(const FoxgloveMessages& messages) {
   constexpr double kNsPerSecond = 1e9;
-  const double seconds = static_cast<double>(messages.span()) / kNsPerSecond;
+  const double seconds = static_cast<double>(messages.latest_time()) / kNsPerSecond;
   return std::to_string(messages.count()) + " messages in " + plain_number(seconds) + " s";
 }
 

@@ -72,13 +72,22 @@ void FoxgloveMessages::add_wire(const WireRecord& record, const Model& model) {
 }
 
 Nanoseconds FoxgloveMessages::time_of(Epoch epoch, Tick tick) {
+  const ReplayTime wanted{epoch, tick};
+  if (wanted < latest_) return latest_time_ - foxglove::since_epoch(lateness(wanted));
   constexpr auto kMaxTick = static_cast<Tick>(UINT64_MAX / foxglove::since_epoch(1));
   const Nanoseconds time = timeline_.at(epoch, tick);
-  if (tick > kMaxTick || time < last_)
+  if (tick > kMaxTick || time < latest_time_)
     throw FileError(file_ + ": comes to epoch " + std::to_string(epoch) + ", tick " +
                     std::to_string(tick) + "; all epochs together may have " +
                     std::to_string(kMaxTick) + " ticks, since MCAP counts nanoseconds");
+  latest_ = wanted;
+  latest_time_ = time;
   return time;
+}
+
+/// The ticks by which a moment is before the latest one.
+Tick FoxgloveMessages::lateness(const ReplayTime& moment) const {
+  return moment.epoch == latest_.epoch ? latest_.tick - moment.tick : 0;
 }
 
 void FoxgloveMessages::add(Topic topic, Nanoseconds time, const std::string& message) {
@@ -88,8 +97,6 @@ void FoxgloveMessages::add(Topic topic, Nanoseconds time, const std::string& mes
 void FoxgloveMessages::add(std::size_t channel, Nanoseconds time, const std::string& message) {
   writer_.add(channel, time, message);
   ++count_;
-  if (!first_) first_ = time;
-  last_ = time;
 }
 
 }  // namespace xr3

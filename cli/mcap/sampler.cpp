@@ -5,13 +5,14 @@
 #include "core/step.hpp"
 
 namespace xr3 {
-
 CellSampler::CellSampler(Cell& cell, Tick every, FoxgloveMessages& messages)
     : cell_(cell), every_(every), messages_(messages) {
   assert(every > 0);
   sample();
   cell.observe(*this, Cell::Ticks::kEach);
 }
+
+void CellSampler::before(const Cell& cell, const Input& /*input*/) { messages_.pass_to(cell); }
 
 void CellSampler::happened(const Cell& cell, const CellOutput& output) {
   for (const WireRecord& each : output.records()) messages_.add_wire(each, cell.model());

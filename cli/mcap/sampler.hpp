@@ -7,7 +7,7 @@
 namespace xr3 {
 
 /// Takes samples while the robot moves: at multiples of a time, and at the tick in which a motion
-/// begins or ends, so that straight lines between the samples are right. At rest it takes one when
+/// begins or ends, so that straight lines between samples are right. At rest it takes one when
 /// something has changed, so a robot at rest costs nothing.
 class CellSampler final : private CellObserver {
  public:
@@ -19,6 +19,7 @@ class CellSampler final : private CellObserver {
   void finish() { sample(); }
 
  private:
+  void before(const Cell& cell, const Input& input) override;
   void happened(const Cell& cell, const CellOutput& output) override;
   void after(const Cell& cell, const Input& input, const Applied& applied) override;
   void ticked(const Cell& cell) override;

@@ -31,7 +31,7 @@ class McapFile:
         self.head, self.messages = head, messages
         self.by_topic = {topic: [] for topic in TOPICS}
         for each in messages:
-            self.by_topic[each["topic"]].append((each["logTime"] / NS_PER_TICK, each["data"]))
+            self.by_topic[each["topic"]].append((each["logTime"] // NS_PER_TICK, each["data"]))
 
     def ticks(self, topic):
         return [tick for tick, _ in self.by_topic[topic]]
@@ -79,8 +79,7 @@ class Recordings(unittest.TestCase):
             with xr3.line() as line:
                 line.ask("E+20\rA+9\rX\rE?")
                 monitor.step(500)
-            monitor.call("block_add", block={"name": "new", "size": [20, 20, 20], "centroid": [250, 0, 10], "yaw_deg": 0,
-                                             "color": 4})
+            monitor.call("block_add", name="new", size_mm=[20, 20, 20], xyz_mm=[300, 0, 10], color=4)
         self.record(act)
         file = self.convert()
         for channel in file.head["channels"]:
@@ -151,8 +150,7 @@ class Recordings(unittest.TestCase):
     def test_blocks_and_camera_at_rest(self):
         def act(xr3, monitor):
             monitor.step(500)
-            monitor.call("block_add", block={"name": "new", "size": [30, 30, 20], "centroid": [250, 0, 10], "yaw_deg": 0,
-                                             "color": 4})
+            monitor.call("block_add", name="new", size_mm=[30, 30, 20], xyz_mm=[300, 0, 10], color=4)
             monitor.step(500)
         self.record(act)
         file = self.convert()
@@ -174,7 +172,7 @@ class Recordings(unittest.TestCase):
         self.record(act)
         file = self.convert()
         by_epoch = {epoch: [(tick, data) for tick, data in file.by_topic["/state"] if data["epoch"] == epoch] for epoch in (0, 1)}
-        self.assertEqual(700, by_epoch[0][-1][0])
+        self.assertFalse(by_epoch[0][-1][1]["moving"])
         self.assertEqual((701, 0), (by_epoch[1][0][0], by_epoch[1][0][1]["tick"]))
         self.assertEqual({701}, {tick - data["tick"] for tick, data in by_epoch[1]})
         self.assertIn(701, file.ticks("/tf"), "the robot is at its start")
