@@ -106,8 +106,7 @@ void add_kin(CLI::App& app, KinOptions& options) {
 void add_convert(CLI::App& app, ConvertOptions& options) {
   CLI::App& convert = *app.add_subcommand(
       "convert",
-      "turn a robot or workcell file into the paper's plain form, or back into JSON; or a "
-      "recording into a file for Foxglove");
+      "turn a robot or workcell file into the paper's plain form, or back; a recording into MCAP");
   add_value(convert, "in", options.in, "IN", "the file, of either form, or a recording")
       ->required();
   add_value(convert, "out", options.out, "OUT",

@@ -284,8 +284,7 @@ void add_access(CLI::App& serve, ServeOptions& options) {
             "host name that browsers may use for this machine; several with commas", check_host);
   add_names(
       serve, "--allow-origin", options.allow_origins, "ORIGIN",
-      "origin of pages that may connect, such as https://page.lab, or desktop: Foxglove's apps may "
-      "read /foxglove; several with commas",
+      "pages that may connect, as https://page.lab; desktop: Foxglove's apps; several with commas",
       check_origin);
   add_names(serve, "--allow-frame", options.allow_frames, "ORIGIN",
             "origin of pages that may show this page in a frame; several with commas", check_frame);
