@@ -2,6 +2,7 @@
 // soft home and from points of a Halton sequence over the joints' ranges. The starts are fixed, so
 // the result is deterministic. Solutions that no start leads to are missed.
 #include <Eigen/Dense>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,5 +1,6 @@
 #include "core/inverse/tool_place.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
