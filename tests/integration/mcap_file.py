@@ -54,5 +54,5 @@ class Converted(unittest.TestCase):
         done = subprocess.run([XR3, "convert", self.recording, self.file, *map(str, options)], capture_output=True, text=True,
                               timeout=10 * DEADLINE_S, check=False)
         self.assertEqual(0, done.returncode, done.stderr)
-        self.memory_kib = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss  # of xr3, or of a program before it
+        self.memory_kib = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss  # memory of the largest program so far
         return McapFile(self.file)
