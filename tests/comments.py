@@ -46,6 +46,7 @@ MAIN_FILES = {
     "server/session": "server/session/session.hpp",
     "service": "service/calls.hpp",
     "tools/drawing": "tools/drawing/picture.hpp",
+    "tools/export": "tools/export/exported.hpp",
     "tools/kin": "tools/kin/report.hpp",
     "tools/report": "tools/report/run_report.hpp",
     "tools/term": "tools/term/line_decoder.hpp",

@@ -5,9 +5,9 @@
 // The flow through the folder: main.cpp passes the variant of parse_options()
 // (cli/options/options.hpp) to the run_command() of its type; each command has a source of its own.
 // Commands on files read them with server/files/data_files.hpp, load them with protocol/files and
-// print with server/print.hpp: check, convert, draw, kin and workcell, whose text comes from tools.
-// replay repeats a recording on a fresh cell, and can then serve from its end with App. exec, grade
-// and exercise run programs through cli/exec. watch connects to a monitor port
+// print with server/print.hpp: check, convert, draw, export, kin and workcell, whose text comes
+// from tools. replay repeats a recording on a fresh cell, and can then serve from its end with App.
+// exec, grade and exercise run programs through cli/exec. watch connects to a monitor port
 // (watch_connection.hpp), keeps a model of the cell (tools/watch/model.hpp) and shows it with
 // ncurses (terminal.hpp); term is in cli/term; healthcheck makes one short connection. manual
 // prints cli/manual. Errors of a command end it by an exception, which main.cpp prints as one
@@ -37,6 +37,10 @@ ExitCode run_command(const KinOptions& options);
 /// (convert_recording.hpp). Findings in IN go to standard error. kBadInput if IN has an error, if
 /// OUT has another extension, or if OUT exists and `force` is not set.
 ExitCode run_command(const ConvertOptions& options);
+
+/// `xr3 export --urdf|--mjcf ROBOT`: writes the robot and its meshes into a folder. kBadInput if
+/// the robot's file exists there and `force` is not set.
+ExitCode run_command(const ExportOptions& options);
 
 /// `xr3 workcell NEW.json`: the workcell editor. kBadInput if the input ends, or a signal (such as
 /// Ctrl-C) interrupts it, with unsaved changes.

@@ -269,6 +269,8 @@ Options parse_options(int argc, const char* const* argv, const std::string& buil
   add_kin(app, kin);
   ConvertOptions convert;
   add_convert(app, convert);
+  ExportOptions exporting;
+  add_export(app, exporting);
   WorkcellOptions workcell;
   add_workcell(app, workcell);
   WatchOptions watch;
@@ -297,6 +299,7 @@ Options parse_options(int argc, const char* const* argv, const std::string& buil
   if (app.got_subcommand("draw")) return draw;
   if (app.got_subcommand("kin")) return kin;
   if (app.got_subcommand("convert")) return convert;
+  if (app.got_subcommand("export")) return exporting;
   if (app.got_subcommand("workcell")) return workcell;
   if (app.got_subcommand("watch")) return watch;
   if (app.got_subcommand("term")) return term;

@@ -23,6 +23,7 @@
 #include "cell/byte_clock.hpp"
 #include "cli/options/exec.hpp"
 #include "cli/options/exercise.hpp"
+#include "cli/options/export.hpp"
 #include "cli/options/healthcheck.hpp"
 #include "cli/options/manual.hpp"
 #include "cli/options/replay.hpp"
@@ -107,7 +108,7 @@ struct Leave {
 };
 
 using Options =
-    std::variant<ServeOptions, CheckOptions, DrawOptions, KinOptions, ConvertOptions,
+    std::variant<ServeOptions, CheckOptions, DrawOptions, KinOptions, ConvertOptions, ExportOptions,
                  WorkcellOptions, WatchOptions, TermOptions, HealthOptions, ReplayCommand,
                  ExecCommand, GradeCommand, ExerciseOptions, ManualFiles, Leave>;
 

@@ -3,8 +3,8 @@
 #include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
 
-#include "core/drawing/palette.hpp"
 #include "protocol/json/values.hpp"
+#include "protocol/scene/colors.hpp"
 
 namespace xr3::foxglove {
 namespace {
@@ -41,7 +41,7 @@ Json pose_json(const Transform& transform) {
 }
 
 Json color_json(int index) {
-  const auto [red, green, blue] = color_rgb(index, Background::kDark);
+  const auto [red, green, blue] = solid_rgb(index);
   const auto part = [](std::uint8_t value) { return rounded(value / 255.0, kColorDecimals); };
   return Json::object({{"r", part(red)}, {"g", part(green)}, {"b", part(blue)}, {"a", 1.0}});
 }

@@ -164,8 +164,9 @@ void add_prism(std::vector<Triangle>& faces, Prism prism) {
 
 Solid solid_of(std::vector<Stroke> strokes, double inset_mm, BareStrokes bare) {
   std::vector<Prism> prisms = prisms_of(strokes);
+  const bool has_prisms = !prisms.empty();
   for (const Stroke& stroke : strokes)
-    if (bare == BareStrokes::kRods && !is_loop(stroke)) add_rods(prisms, stroke);
+    if (!has_prisms || (bare == BareStrokes::kRods && !is_loop(stroke))) add_rods(prisms, stroke);
   Solid solid;
   for (Prism& prism : prisms) add_prism(solid.faces, drawn_in(std::move(prism), inset_mm));
   solid.strokes = std::move(strokes);

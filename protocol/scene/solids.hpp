@@ -1,6 +1,6 @@
 // Surfaces from the strokes of an outline, as clients/web/src/scene/solids.js makes them. Two
 // closed strokes of one shape, one shifted and possibly scaled, are the ends of a prism or frustum,
-// which gets faces. Other strokes have none, unless they become rods.
+// which gets faces. Strokes without any prism become rods, which the page draws as lines.
 #pragma once
 
 #include <Eigen/Core>
@@ -20,10 +20,10 @@ struct Solid {
   std::vector<Stroke> strokes;  ///< edges of the faces, and lines without faces
 };
 
-/// The treatment of strokes that are not the ends of a prism.
+/// The treatment of open strokes beside prisms.
 enum class BareStrokes : std::uint8_t {
-  kLines,  ///< strokes only
-  kRods,   ///< square rods around their lines, if they are open
+  kLines,  ///< edges of the prisms, or lines on them
+  kRods,   ///< parts of the robot, with square rods around their lines
 };
 
 /// The solid of these strokes. `inset_mm`: the distance by which each prism is drawn in from its

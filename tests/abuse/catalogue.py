@@ -2,7 +2,7 @@
 
 import connections
 import devices
-import foxglove
+import foxglove_clients
 import http_requests
 import json_requests
 import lines
@@ -13,7 +13,7 @@ import past
 import ptys
 import websocket
 
-THEMES = (lines, ptys, devices, http_requests, json_requests, websocket, foxglove, memory, connections, logs, many_cells, past)
+THEMES = (lines, ptys, devices, http_requests, json_requests, websocket, foxglove_clients, memory, connections, logs, many_cells, past)
 ATTACKS = [attack for theme in THEMES for attack in theme.ATTACKS]
 
 

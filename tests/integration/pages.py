@@ -36,7 +36,7 @@ def pages():
 def has_a_reader(path):
     """Whether a reader (reader.py) does what the page shows and compares the output, so that no other test has to."""
     names = "troubleshooting.md", "own-robot.md", "own-workcell.md", "classroom.md", "exercises.md"
-    return path.parent.name == "tutorial" or path.name == "pytest.md" or path.parent.name == "docs" and path.name in names
+    return path.parent.name == "tutorial" or path.name in ("pytest.md", "urdf.md") or path.parent.name == "docs" and path.name in names
 
 
 def is_command(text):

@@ -20,7 +20,7 @@ This page is made from the manual pages; a test compares them.
 """
 # The pages that explain a command.
 MORE = {"check": "data-files.md", "draw": "own-workcell.md", "kin": "kinematics.md",
-        "convert": "paper-form.md", "workcell": "workcell-editor.md", "watch": "watch.md", "term": "term.md",
+        "convert": "paper-form.md", "export": "interop/urdf.md", "workcell": "workcell-editor.md", "watch": "watch.md", "term": "term.md",
         "healthcheck": "monitor.md#health-check", "replay": "recording.md", "exec": "exec.md", "grade": "exec.md",
         "exercise": "exercises.md",
         "manual": "packages.md", "completion": "packages.md"}

@@ -80,7 +80,7 @@ class Channels(Case):
             client = self.client(xr3)
             client.read_topics(["/state"])
             xr3.line().send("F+50\r")
-            client.read_until(lambda each: each.get("topic") == "/state" and each["message"]["joints"]["F"]["count"] == 50)
+            client.read_until(lambda each: each.get("topic") == "/events" and each["message"]["name"] == "reached")
             time = -1
             for each in client.seen:
                 if each["kind"] == "time":
@@ -97,7 +97,7 @@ class Channels(Case):
             self.assertGreater(len(turned), 5)
             self.assertEqual(1, len(client.messages("/scene")))
             self.assertEqual(1, len(client.messages("/blocks")), "no block has moved")
-            self.assertIn("reached", [each["name"] for each in client.messages("/events")])
+            self.assertIn("move", [each["name"] for each in client.messages("/events")])
 
     def test_blocks_and_the_picture_are_sent_when_they_change(self):
         with Server() as xr3, xr3.monitor() as monitor:

@@ -1,5 +1,5 @@
 """Ten Foxglove clients of a robot in motion: each gets 60 messages a second, and the replies of a line beside them come
-within 20 ms. tests/abuse/foxglove.py measures the same in processor time, in the largest cell."""
+within 20 ms. tests/abuse/foxglove_clients.py measures the same in processor time, in the largest cell."""
 # labels: release serial full
 
 import statistics

@@ -34,7 +34,7 @@ KINDS = {
     "shows_a_screen": r"(build/release/)?xr3 watch( .*)?",
     "opens_a_line": r"(build/release/)?xr3 term( .*)?",
     "asks_for_health": r"xr3 healthcheck( .*)?",
-    "has_help": r"xr3 (check|convert|draw|exec|exec --sandbox|exercise check|grade|kin|replay|workcell)",
+    "has_help": r"xr3 (check|convert|draw|exec|exec --sandbox|exercise check|export|grade|kin|replay|workcell)",
     "draws_a_picture": r"xr3 draw .*\.svg",
     "checks_a_file": r"xr3 check FILE",
     "opens_the_editor": r"xr3 workcell .*",

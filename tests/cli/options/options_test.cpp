@@ -114,9 +114,9 @@ TEST(Options, RejectsASecretAsArgument) {
 TEST(Options, RepeatedHostsAndOriginsAccumulate) {
   const auto options =
       std::get<ServeOptions>(parse({"serve", "--allow-host", "a.lab", "--allow-host", "b",
-                                    "--allow-origin", "https://page.lab"}));
+                                    "--allow-origin", "https://page.lab,desktop"}));
   EXPECT_EQ(options.allow_hosts, (std::vector<std::string>{"a.lab", "b"}));
-  EXPECT_EQ(options.allow_origins, (std::vector<std::string>{"https://page.lab"}));
+  EXPECT_EQ(options.allow_origins, (std::vector<std::string>{"https://page.lab", "desktop"}));
 }
 
 TEST(Options, FramesAreForSimulatedRobotsThatAnybodyMayMove) {

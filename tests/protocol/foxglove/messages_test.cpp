@@ -96,13 +96,13 @@ TEST(FoxgloveLog, HasLevelNameAndSentence) {
   EXPECT_EQ(stalled["level"], 4);
   EXPECT_EQ(stalled["name"], "stalled/work_surface");
   EXPECT_EQ(stalled["timestamp"].dump(), R"({"sec":1,"nsec":500000000})");
-  const auto warning =
-      Json::parse(log_text(event(EventBody(Warning{WarningCode::kNoSuchJoint, 'G'})), *model, 0));
+  const auto warning = Json::parse(
+      log_text(event(EventBody(Warning{WarningCode::kNoSuchJoint, 'G', 0, 0, ""})), *model, 0));
   EXPECT_EQ(warning["level"], 3);
   const auto homed = Json::parse(log_text(event(EventBody(Homed{})), *model, 0));
   EXPECT_EQ(homed["level"], 2);
   EXPECT_EQ(homed["name"], "homed");
-  EXPECT_EQ(homed["message"], "soft home");
+  EXPECT_EQ(homed["message"], "soft home by a call");
 }
 
 TEST(FoxgloveImage, IsAFileInBase64) {

@@ -44,13 +44,13 @@ TEST(FoxgloveSubscriptions, BeginAndEnd) {
   EXPECT_EQ(all.find(Topic::kTransforms), std::nullopt);
 }
 
-struct Refusal {
+struct RefusedSubscription {
   const char* request;
   const char* complaint;  ///< a part of it
 };
-class RefusedRequest : public testing::TestWithParam<Refusal> {};
+class FoxgloveRefusal : public testing::TestWithParam<RefusedSubscription> {};
 
-TEST_P(RefusedRequest, SaysWhatIsWrong) {
+TEST_P(FoxgloveRefusal, SaysWhatIsWrong) {
   Subscriptions all;
   all.carry_out(R"({"op":"subscribe","subscriptions":[{"id":9,"channelId":2}]})");
   const auto outcome = all.carry_out(GetParam().request);
@@ -60,24 +60,31 @@ TEST_P(RefusedRequest, SaysWhatIsWrong) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    All, RefusedRequest,
+    All, FoxgloveRefusal,
     testing::Values(
-        Refusal{"", "a message is a JSON object"}, Refusal{"[1]", "a message is a JSON object"},
-        Refusal{R"({"op":"subscribe"})", "a list subscriptions"},
-        Refusal{R"({"op":"advertise","channels":[]})", "op \"advertise\" is not carried out"},
-        Refusal{"{}", "op nothing is not carried out"},
-        Refusal{R"({"op":"subscribe","subscriptions":[7]})", "no channel nothing: they are 1 to 6"},
-        Refusal{R"({"op":"subscribe","subscriptions":[{"id":1,"channelId":7}]})", "no channel 7"},
-        Refusal{R"({"op":"subscribe","subscriptions":[{"id":1,"channelId":1.5}]})", "channel 1.5"},
-        Refusal{R"({"op":"subscribe","subscriptions":[{"id":-1,"channelId":1}]})", "is -1, but"},
-        Refusal{R"({"op":"subscribe","subscriptions":[{"id":4294967296,"channelId":1}]})",
-                "32 bits"},
-        Refusal{R"({"op":"subscribe","subscriptions":[{"id":9,"channelId":1}]})",
-                "the id 9 has a subscription"},
-        Refusal{R"({"op":"subscribe","subscriptions":[{"id":1,"channelId":2}]})",
-                "channel 2 has a subscription"},
-        Refusal{R"({"op":"unsubscribe","subscriptionIds":[8]})", "no subscription with the id 8"},
-        Refusal{R"({"op":"unsubscribe","subscriptionIds":[{}]})", "with the id {}"}));
+        RefusedSubscription{"", "a message is a JSON object"},
+        RefusedSubscription{"[1]", "a message is a JSON object"},
+        RefusedSubscription{R"({"op":"subscribe"})", "a list subscriptions"},
+        RefusedSubscription{R"({"op":"advertise","channels":[]})",
+                            "op \"advertise\" is not carried out"},
+        RefusedSubscription{"{}", "op nothing is not carried out"},
+        RefusedSubscription{R"({"op":"subscribe","subscriptions":[7]})",
+                            "no channel nothing: they are 1 to 6"},
+        RefusedSubscription{R"({"op":"subscribe","subscriptions":[{"id":1,"channelId":7}]})",
+                            "no channel 7"},
+        RefusedSubscription{R"({"op":"subscribe","subscriptions":[{"id":1,"channelId":1.5}]})",
+                            "channel 1.5"},
+        RefusedSubscription{R"({"op":"subscribe","subscriptions":[{"id":-1,"channelId":1}]})",
+                            "is -1, but"},
+        RefusedSubscription{
+            R"({"op":"subscribe","subscriptions":[{"id":4294967296,"channelId":1}]})", "32 bits"},
+        RefusedSubscription{R"({"op":"subscribe","subscriptions":[{"id":9,"channelId":1}]})",
+                            "the id 9 has a subscription"},
+        RefusedSubscription{R"({"op":"subscribe","subscriptions":[{"id":1,"channelId":2}]})",
+                            "channel 2 has a subscription"},
+        RefusedSubscription{R"({"op":"unsubscribe","subscriptionIds":[8]})",
+                            "no subscription with the id 8"},
+        RefusedSubscription{R"({"op":"unsubscribe","subscriptionIds":[{}]})", "with the id {}"}));
 
 TEST(FoxgloveSubscriptions, GoodPartsOfARequestAreCarriedOut) {
   Subscriptions all;

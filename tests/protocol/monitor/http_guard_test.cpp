@@ -86,6 +86,18 @@ TEST(HttpGuard, AcceptsOnlyTheServersOwnOrigins) {
   EXPECT_FALSE(is_origin_allowed("https://page.example", "localhost", kNamed));
 }
 
+TEST(HttpGuard, AcceptsDesktopAppsOnlyByTheirWord) {
+  GuardRules rules;
+  EXPECT_FALSE(is_desktop_allowed("null", rules));
+  rules.origins = {"https://page.example", "desktop"};
+  for (const char* origin : {"null", "file://", "file:///index.html"}) {
+    EXPECT_TRUE(is_desktop_allowed(origin, rules)) << origin;
+    EXPECT_FALSE(is_origin_allowed(origin, "localhost", rules)) << origin;
+  }
+  for (const char* origin : {"", "nulls", "https://file://", "http://evil.example"})
+    EXPECT_FALSE(is_desktop_allowed(origin, rules)) << origin;
+}
+
 TEST(HttpGuard, ValidatesRules) {
   for (const char* name : {"a", "robot.lab.example", "my_arm-2"})
     EXPECT_TRUE(is_host_name(name)) << name;

@@ -71,20 +71,31 @@ TEST(Solid, OfTwoLoopsOfDifferentSizeIsAFrustum) {
   EXPECT_NEAR(volume_mm3(solid.faces), 6.0 / 3 * (400 + 200 + 100), 1e-9);
 }
 
-TEST(Solid, NeedsLoopsThatMatch) {
+constexpr std::size_t kFacesOfABox = 12;
+
+TEST(Solid, OfLoopsThatDoNotMatchIsRods) {
   Stroke open = loop_at(kSquare, 5);
   open.pop_back();
-  const std::vector<std::vector<Stroke>> cases{
-      {loop_at(kSquare, 0)},                             // one loop
-      {loop_at(kSquare, 0), loop_at(kSquare, 0.5)},      // as good as in one plane
-      {loop_at(kSquare, 0), loop_at(kSquare, 5, 0.29)},  // too small
-      {loop_at(kSquare, 0), loop_at(kL, 5)},             // another shape
-      {loop_at(kSquare, 0), open},                       // not closed
-      {Stroke(5, {1, 1, 1}), Stroke(5, {1, 1, 9})},      // points
-      {{{0, 0, 0}, {5, 0, 0}, {9, 0, 0}, {0, 0, 0}}, {{0, 0, 9}, {5, 0, 9}, {9, 0, 9}, {0, 0, 9}}},
+  const Stroke line{{0, 0, 0}, {5, 0, 0}, {9, 0, 0}, {0, 0, 0}};
+  const Stroke other{{0, 0, 9}, {5, 0, 9}, {9, 0, 9}, {0, 0, 9}};
+  const std::vector<std::pair<std::size_t, std::vector<Stroke>>> cases{
+      {4, {loop_at(kSquare, 0)}},                             // one loop
+      {8, {loop_at(kSquare, 0), loop_at(kSquare, 0.5)}},      // as good as in one plane
+      {8, {loop_at(kSquare, 0), loop_at(kSquare, 5, 0.29)}},  // too small
+      {10, {loop_at(kSquare, 0), loop_at(kL, 5)}},            // another shape
+      {7, {loop_at(kSquare, 0), open}},                       // not closed
+      {0, {Stroke(5, {1, 1, 1}), Stroke(5, {1, 1, 9})}},      // points
+      {6, {line, other}},                                     // without an area
   };
-  for (const auto& strokes : cases)
-    EXPECT_TRUE(solid_of(strokes, 0, BareStrokes::kLines).faces.empty());
+  for (const auto& [rods, strokes] : cases)
+    EXPECT_EQ(solid_of(strokes, 0, BareStrokes::kLines).faces.size(), rods * kFacesOfABox);
+}
+
+TEST(Solid, HasOpenStrokesBesideItsPrismsAsLinesOrRods) {
+  const std::vector<Stroke> strokes{
+      loop_at(kSquare, 0), loop_at(kSquare, 5), {{0, 0, 5}, {0, 0, 50}}};
+  EXPECT_EQ(solid_of(strokes, 0, BareStrokes::kLines).faces.size(), kFacesOfABox);
+  EXPECT_EQ(solid_of(strokes, 0, BareStrokes::kRods).faces.size(), 2 * kFacesOfABox);
 }
 
 TEST(Solid, OfOpenStrokesIsRods) {
