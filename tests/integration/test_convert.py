@@ -1,9 +1,10 @@
 """`xr3 convert`: a file converts to the paper's plain form and back without loss; broken files are rejected
-with all findings; no file is replaced without --force."""
+with all findings; no file is replaced without --force. A recording becomes an MCAP file."""
 
 import json
 import os
 import pathlib
+import resource
 import tempfile
 import unittest
 
@@ -130,6 +131,49 @@ class Convert(Files):
         self.folder.chmod(0o500)
         self.addCleanup(self.folder.chmod, 0o700)
         self.assertRefused(run_xr3("convert", SHIPPED[0], self.file("w.txt")), "cannot be written")
+
+
+class IntoMcap(Files):
+    """The files themselves are read in test_mcap.py."""
+
+    RECORDING = pathlib.Path(ROOT, "docs", "find-and-pick.xr3rec")
+
+    def convert(self, *arguments, recording=RECORDING, **options):
+        return run_xr3("convert", recording, self.file("run.mcap"), *arguments, **options)
+
+    def assertNothing(self):
+        self.assertEqual([], list(self.folder.glob("run.mcap*")), "no draft is left")
+
+    def test_is_for_the_owner_alone(self):
+        done = self.convert()
+        self.assertEqual(0, done.returncode, done.stderr)
+        self.assertRegex(done.stdout, r"run.mcap: \d+ messages in 30.431 s\n$")
+        self.assertIn("everything is as recorded", done.stderr)
+        self.assertEqual(0o600, self.file("run.mcap").stat().st_mode & 0o777)
+        self.assertRefused(self.convert(), "run.mcap: already exists; --force replaces it")
+        self.assertEqual(0, self.convert("--force").returncode)
+
+    def test_other_files_are_refused(self):
+        recording = self.RECORDING.read_text(encoding="ascii")
+        for text, words in [("", "no whole line of a recording"), (recording.replace("E+", "E-", 1), ":"),
+                            (TABLE, ":1"), (recording.replace('"xr3_recording":1', '"xr3_recording":99', 1), ":1")]:
+            with self.subTest(words):
+                self.assertRefused(self.convert(recording=self.file("x.xr3rec", text)), f"{self.file('x.xr3rec')}", words)
+                self.assertNothing()
+        self.assertRefused(self.convert(recording=self.file("none.xr3rec")), "none.xr3rec: cannot be read")
+        self.assertNothing()
+
+    def test_every(self):
+        for every in "0", "3600001", "fast":
+            self.assertRefused(self.convert("--every", every), "--every", every)
+        done = run_xr3("convert", SHIPPED[0], self.file("robot.txt"), "--every", "20")
+        self.assertRefused(done, "robot.txt: --every is for a name that ends in .mcap")
+
+    def test_a_disk_without_room(self):
+        def limit():
+            resource.setrlimit(resource.RLIMIT_FSIZE, (20_000, 20_000))
+        self.assertRefused(self.convert(preexec_fn=limit), "run.mcap: cannot be written: File too large")
+        self.assertNothing()
 
 
 class PlainFiles(Files):
