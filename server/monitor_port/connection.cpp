@@ -62,21 +62,22 @@ asio::awaitable<void> MonitorConnection::serve_websocket(std::string head,
                                 context_.has_room);
     co_return co_await line_->run(std::move(head));
   }
-  WebsocketContent content = request.path() == http::kFoxglovePath
-                                 ? co_await foxglove_content(request)
-                                 : monitor_content(context_.service, machine(), cell);
-  if (!socket_->is_open()) co_return;
-  websocket_ = Websocket::make(socket_, std::move(content));
+  if (request.path() == http::kFoxglovePath)
+    co_return co_await serve_foxglove(std::move(head), std::move(request));
+  websocket_ = Websocket::make(socket_, monitor_content(context_.service, machine(), cell));
   co_await websocket_->run(std::move(head));
 }
 
 /// Waits for the cell, which is not there with `--continue` until it has gone on.
-asio::awaitable<WebsocketContent> MonitorConnection::foxglove_content(http::HttpRequest request) {
+asio::awaitable<void> MonitorConnection::serve_foxglove(std::string head,
+                                                        http::HttpRequest request) {
   const CellPtr at = context_.resources.cell_of(request);
   co_await at->be_back();
-  co_return WebsocketContent{
-      http::subprotocol_for(request), foxglove::kMaxClientBytes,
-      [this, at](MessageSink& sink) { return context_.foxglove.open(sink, at); }};
+  if (!socket_->is_open()) co_return;
+  const auto open = [this, at](MessageSink& sink) { return context_.foxglove.open(sink, at); };
+  WebsocketContent content{http::subprotocol_for(request), foxglove::kMaxClientBytes, open};
+  websocket_ = Websocket::make(socket_, std::move(content));
+  co_await websocket_->run(std::move(head));
 }
 
 // --- The detector.

@@ -73,7 +73,7 @@ class MonitorConnection : public std::enable_shared_from_this<MonitorConnection>
   void greet_after_silence();
   void greet();
   asio::awaitable<void> serve_websocket(std::string head, http::HttpRequest request);
-  asio::awaitable<WebsocketContent> foxglove_content(http::HttpRequest request);
+  asio::awaitable<void> serve_foxglove(std::string head, http::HttpRequest request);
 
   MonitorConnectionContext& context_;
   tcp::endpoint peer_;
