@@ -58,9 +58,8 @@ asio::awaitable<void> MonitorConnection::serve_websocket(std::string head,
     line_ = LineWebsocket::make(socket_, peer_, context_.service, cell, context_.has_room);
     co_return co_await line_->run(std::move(head));
   }
-  WebsocketContent content = request.path() == http::kFoxglovePath
-                                 ? co_await foxglove_content(request)
-                                 : monitor_content(context_.service, cell);
+  WebsocketContent content = monitor_content(context_.service, cell);
+  if (request.path() == http::kFoxglovePath) content = co_await foxglove_content(request);
   if (!socket_->is_open()) co_return;
   websocket_ = Websocket::make(socket_, std::move(content));
   co_await websocket_->run(std::move(head));
@@ -70,9 +69,10 @@ asio::awaitable<void> MonitorConnection::serve_websocket(std::string head,
 asio::awaitable<WebsocketContent> MonitorConnection::foxglove_content(http::HttpRequest request) {
   const CellPtr at = context_.resources.cell_of(request);
   co_await at->be_back();
-  co_return WebsocketContent{
+  WebsocketContent content{
       http::subprotocol_for(request), foxglove::kMaxClientBytes,
       [this, at](MessageSink& sink) { return context_.foxglove.open(sink, at); }};
+  co_return content;
 }
 
 // --- The detector.
