@@ -10,7 +10,7 @@ import urllib.request
 import fastjsonschema
 
 from foxglove import OLDER, SDK, TOPICS, FoxgloveClient, FoxgloveSocket, needs_packages, published_schemas
-from support import Server
+from support import NO_QUARANTINE, Server
 from test_access import TokenFile
 from test_line_websocket import BINARY, UNKNOWN, LineWebsocket
 
@@ -223,7 +223,7 @@ class Hostile(Case):
         self.assertEqual(TOO_BIG, plain.end())
 
     def test_a_client_that_never_reads_delays_no_other(self):
-        with Server(clock="real") as xr3:
+        with Server(clock="real", environment=NO_QUARANTINE) as xr3:
             deaf = self.plain(xr3)
             deaf.socket.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
             deaf.subscribe(*range(1, 7))
