@@ -36,6 +36,7 @@ KINDS = {
     "asks_for_health": r"xr3 healthcheck( .*)?",
     "has_help": r"xr3 (check|convert|draw|exec|exec --sandbox|exercise check|export|grade|kin|replay|workcell)",
     "draws_a_picture": r"xr3 draw .*\.svg",
+    "converts_a_recording": r"xr3 convert \S+ \S+\.mcap",
     "checks_a_file": r"xr3 check FILE",
     "opens_the_editor": r"xr3 workcell .*",
     "exits_with_0": r"xr3 --version|build/release/xr3 serve --help|ulimit -n|ss -ltnp",
@@ -166,6 +167,12 @@ class Commands(unittest.TestCase):
         words = shlex.split(command.text)
         self.run_to_end([XR3, *words[1:]])
         self.assertTrue((self.folder / words[-1]).read_text(encoding="utf-8").startswith("<svg"))
+
+    def converts_a_recording(self, command):
+        *words, recording, result = shlex.split(command.text)[1:]
+        shutil.copy(pathlib.Path(ROOT, "docs", "find-and-pick.xr3rec"), self.folder / recording)
+        self.run_to_end([XR3, *words, recording, result])
+        self.assertTrue((self.folder / result).read_bytes().endswith(b"MCAP0\r\n"))
 
     def checks_a_file(self, command):
         for path in sorted(pathlib.Path(ROOT, "data", "goals").glob("*.json")):
