@@ -101,6 +101,7 @@ MonitorRig::MonitorRig(ReadAccess reading)
                .resources = resources_,
                .foxglove = foxglove_,
                .has_room = [] { return true; },
+               .speaks_http = [](const asio::ip::address&) { return false; },
                .tls_refused = [] {},
                .ended = [this](const std::shared_ptr<MonitorConnection>&) { is_over_ = true; }} {
   host_.add(test::rhino());
