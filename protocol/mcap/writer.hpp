@@ -33,7 +33,7 @@ class McapWriter {
   /// Takes the next bytes of the file.
   using McapSink = std::function<void(std::string_view)>;
 
-  /// A chunk ends when its messages have so many bytes before compression.
+  /// The size of a chunk before compression, in bytes: one that has reached it is written.
   static constexpr std::size_t kChunkBytes = std::size_t{1} << 20U;
 
   /// Writes the beginning of the file. `program`: name and version.

@@ -4,6 +4,7 @@
 #include <array>
 #include <boost/asio/buffer.hpp>
 #include <boost/beast/http/parser.hpp>
+#include <boost/beast/http/rfc7230.hpp>
 #include <boost/beast/http/string_body.hpp>
 #include <boost/beast/http/write.hpp>
 #include <boost/beast/websocket/rfc6455.hpp>
@@ -24,19 +25,6 @@ constexpr std::string_view kLineEnd = "\r\n";
 constexpr std::string_view kHeadEnd = "\r\n\r\n";
 constexpr std::string_view kScheme = "http://";
 constexpr unsigned kHttp11 = 11;
-
-/// Whether a list with commas has this word.
-bool has_token(std::string_view list, std::string_view wanted) {
-  while (!list.empty()) {
-    const std::size_t comma = std::min(list.find(','), list.size());
-    std::string_view word = list.substr(0, comma);
-    list.remove_prefix(std::min(comma + 1, list.size()));
-    const std::size_t first = std::min(word.find_first_not_of(" \t"), word.size());
-    word = word.substr(first, word.find_last_not_of(" \t") + 1 - first);
-    if (word == wanted) return true;
-  }
-  return false;
-}
 
 std::string_view view(beast::string_view text) { return {text.data(), text.size()}; }
 
@@ -187,8 +175,9 @@ std::string_view subprotocol_for(const HttpRequest& request) {
   const auto offers = request.values("Sec-WebSocket-Protocol");
   if (known.empty() || offers.empty()) return known.empty() ? std::string_view() : known.front();
   const auto is_offered = [&](std::string_view name) {
-    return std::ranges::any_of(offers,
-                               [&](std::string_view list) { return has_token(list, name); });
+    return std::ranges::any_of(offers, [&](std::string_view list) {
+      return boost::beast::http::token_list(list).exists(name);
+    });
   };
   const auto found = std::ranges::find_if(known, is_offered);
   return found == known.end() ? std::string_view() : *found;

@@ -5,7 +5,7 @@
 namespace xr3 {
 namespace {
 
-constexpr double kEndlessDeg = 720;  ///< a longer range stands for a joint without stops
+constexpr double kEndlessDeg = 720;  ///< a joint with a longer range is exported without limits
 
 /// The number of links before this one that have its motor.
 int twins_before(const std::vector<SceneLink>& links, std::size_t link) {
